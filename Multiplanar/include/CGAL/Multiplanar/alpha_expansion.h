@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Multiplanar authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTIPLANAR_ALPHA_EXPANSION_H
+#define CGAL_MULTIPLANAR_ALPHA_EXPANSION_H
+
+#include <CGAL/assertions.h>
+#include <CGAL/use.h>
+#include <CGAL/Multiplanar/Potts_graph.h>
+#include <CGAL/Multiplanar/internal/Alpha_expander.h>
+
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Multiplanar {
+
+/// A dense data cost, as `Alpha_expansion`'s functions take it: node-major, `values[node * labels + label]`.
+struct Dense_data_cost
+{
+  std::vector<double> values;
+  int labels;
+
+  double operator()(int node, int label) const { return values[std::size_t(node) * labels + label]; }
+};
+
+struct Alpha_expansion_options
+{
+  /// Passes over all labels at most. Whatever it is, the labelling is valid and no worse than the initial one.
+  int maximal_sweeps = (std::numeric_limits<int>::max)();
+  /// Threads for the evaluation of the data costs, 0: all of the machine. The result does not depend on it.
+  int threads = 1;
+  /// An expansion is accepted if the energy falls by more than this, relative to the new energy.
+  double tolerance = 1e-10;
+};
+
+struct Alpha_expansion_result
+{
+  double energy = 0;          ///< of the final labelling (eq. 1)
+  int sweeps = 0;             ///< passes over all labels, the last one without success included
+  std::size_t expansions = 0; ///< accepted expansions
+  std::size_t survivors = 0;  ///< nodes left by the pruning, summed over all expansions
+  bool converged = false;     ///< a whole sweep found nothing to improve
+};
+
+/// Lowers the energy  sum_p D_p(f_p) + sum over edges pq with f_p != f_q of w_pq  by alpha-expansion (Boykov, Veksler,
+/// Zabih 2001) until no expansion of any label lowers it. Where all data costs are >= 0, the energy is then at most
+/// twice the global minimum.
+///
+/// Labels are expanded in the order 0, 1, ..., ties keep the old label, and sweeps are repeated until one changes
+/// nothing, as in `CGAL::alpha_expansion_graphcut()`: the result is the same local minimum, some hundred times
+/// sooner where few nodes are in doubt, as in the segmentation of surfaces (see `internal::Expansion_graph` for how).
+///
+/// \tparam DataCost `double operator()(int node, int label) const`, finite, callable from several threads at once.
+///   Optional: `void block(int label, int first, int last, double* out) const`, which writes the costs of `label` for
+///   nodes `first` .. `last` - 1 to `out`; it is then used throughout.
+/// \param labelling the initial label of each node, replaced by the final one. A labelling of an earlier run, or
+///   `cheapest_labels()`, is a good start.
+/// \pre labels >= 1, each initial label is in 0 .. `labels` - 1.
+///
+/// One evaluation of nodes x labels data costs; then each expansion is linear in the nodes whose cost of that label
+/// does not exceed their present cost by more than the weights of their edges, plus a maximal flow on what pruning
+/// leaves. Memory: linear in the number of such (node, label) pairs.
+template <class DataCost>
+Alpha_expansion_result alpha_expansion(const Potts_graph& graph, int labels, const DataCost& cost,
+                                       std::vector<int>& labelling, const Alpha_expansion_options& options = {})
+{
+  CGAL_precondition(labels >= 1);
+  CGAL_precondition(labelling.size() == std::size_t(graph.nodes()));
+  for (int label : labelling) {
+    CGAL_precondition(0 <= label && label < labels);
+    CGAL_USE(label);
+  }
+  internal::Alpha_expander<DataCost> expander(graph, labels, cost, labelling, options.tolerance, options.threads);
+  Alpha_expansion_result result;
+  while (!result.converged && result.sweeps < options.maximal_sweeps) {
+    ++result.sweeps;
+    result.converged = true;
+    for (int alpha = 0; alpha < labels; ++alpha)
+      if (expander.expand(alpha)) {
+        ++result.expansions;
+        result.converged = false;
+      }
+  }
+  result.energy = expander.recomputed_energy();
+  result.survivors = expander.survivors();
+  return result;
+}
+
+/// The label of least data cost for each node, the smallest such label on a tie: the minimum of the energy without
+/// edges, and the usual start of an alpha-expansion. nodes x labels evaluations. Any number of threads gives the same.
+template <class DataCost>
+std::vector<int> cheapest_labels(int nodes, int labels, const DataCost& cost, int threads = 1)
+{
+  CGAL_precondition(labels >= 1);
+  std::vector<int> cheapest(nodes, 0);
+  internal::parallel_ranges(nodes, internal::useful_threads(threads, nodes, labels), [&](int, int first, int last) {
+    std::vector<double> least(last - first);
+    internal::for_each_tile(cost, labels, first, last, [&](int label, int begin, int end, const double* costs) {
+      for (int p = begin; p < end; ++p)
+        if (label == 0 || costs[p - begin] < least[p - first]) {
+          least[p - first] = costs[p - begin];
+          cheapest[p] = label;
+        }
+    });
+  });
+  return cheapest;
+}
+
+} // namespace Multiplanar
+} // namespace CGAL
+
+#endif // CGAL_MULTIPLANAR_ALPHA_EXPANSION_H
