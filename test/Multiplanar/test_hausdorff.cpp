@@ -76,16 +76,16 @@ TEST(Triangle_tree, ClosestPointsEqualThoseOfEveryTriangle)
   std::mt19937_64 random(seed);
   for (int n : {1, 2, 5, 200}) {
     const Mesh mesh = random_triangles(random, n);
-    const Triangle_tree tree(internal::to_vecs(mesh.points), mesh.triangles);
+    const Triangle_tree tree(internal::as_vecs(mesh.points), mesh.triangles);
     for (int i = 0; i < 300; ++i) {
       const Point_3 q = random_point(random, 1.5);
-      const auto c = tree.closest(internal::to_vec(q), i % 3 == 0 ? int(random() % n) : -1);
+      const auto c = tree.closest(internal::as_vec(q), i % 3 == 0 ? int(random() % n) : -1);
       EXPECT_NEAR(std::sqrt(c.squared_distance), distance_by_hand(q, mesh), 1e-12);
       const auto& t = mesh.triangles[c.triangle];
       Vec3 x = Vec3::Zero();
       for (int j = 0; j < 3; ++j) {
         EXPECT_GE(c.weights.w[j], -1e-12);
-        x += c.weights.w[j] * internal::to_vec(mesh.points[t[j]]);
+        x += c.weights.w[j] * internal::as_vec(mesh.points[t[j]]);
       }
       EXPECT_LT((x - c.point).norm(), 1e-12);
     }
@@ -104,9 +104,9 @@ TEST(Triangle_tree, OverlapsEqualThoseFoundByHand)
 {
   std::mt19937_64 random(5);
   const Mesh mesh = random_triangles(random, 150);
-  const Triangle_tree tree(internal::to_vecs(mesh.points), mesh.triangles);
+  const Triangle_tree tree(internal::as_vecs(mesh.points), mesh.triangles);
   for (int i = 0; i < 50; ++i) {
-    const Vec3 low = internal::to_vec(random_point(random)), high = low + Vec3::Constant(0.4 * unit(random));
+    const Vec3 low = internal::as_vec(random_point(random)), high = low + Vec3::Constant(0.4 * unit(random));
     std::vector<int> found, expected;
     tree.for_each_overlap(low, high, [&](int t) { found.push_back(t); });
     for (int t = 0; t < int(mesh.triangles.size()); ++t) {

@@ -39,13 +39,13 @@ struct Symmetric_hausdorff
 
 namespace internal {
 
-using Triangles = std::vector<std::array<int, 3>>;
+using Triangle_list = std::vector<std::array<int, 3>>;
 
-inline std::vector<Vec3> to_vecs(const Points& points)
+inline std::vector<Vec3> as_vecs(const Points& points)
 {
   std::vector<Vec3> result;
   result.reserve(points.size());
-  for (const Point_3& p : points) result.push_back(to_vec(p));
+  for (const Point_3& p : points) result.push_back(as_vec(p));
   return result;
 }
 
@@ -61,7 +61,7 @@ class Directed_hausdorff_search
 public:
   explicit Directed_hausdorff_search(const Triangle_tree& tree) : tree(tree) {}
 
-  Directed_hausdorff run(const std::vector<Vec3>& points, const Triangles& triangles, double error)
+  Directed_hausdorff run(const std::vector<Vec3>& points, const Triangle_list& triangles, double error)
   {
     std::vector<int> near(points.size(), -1);
     for (const auto& t : triangles)
@@ -82,7 +82,7 @@ public:
     Directed_hausdorff result;
     result.lower = lower;
     result.upper = (std::max)(lower, largest_dropped);
-    result.witness = to_point(witness);
+    result.witness = as_point(witness);
     CGAL_postcondition(result.upper <= result.lower + error);
     return result;
   }
@@ -153,7 +153,7 @@ private:
 };
 
 /// Integrates d(x, tree) over the triangles by the centroid rule on pieces with edges of at most `size`.
-inline double mean_distance_to_tree(const std::vector<Vec3>& points, const Triangles& triangles,
+inline double mean_distance_to_tree(const std::vector<Vec3>& points, const Triangle_list& triangles,
                                     const Triangle_tree& tree, double size)
 {
   double integral = 0, area = 0;
@@ -202,8 +202,8 @@ inline Directed_hausdorff directed_hausdorff(const Points& points_a, const std::
 {
   if (triangles_a.empty() || triangles_b.empty()) throw std::invalid_argument("the distance of an empty surface");
   if (!(error > 0)) throw std::invalid_argument("the error of a Hausdorff distance must be positive");
-  const internal::Triangle_tree tree(internal::to_vecs(points_b), triangles_b);
-  return internal::Directed_hausdorff_search(tree).run(internal::to_vecs(points_a), triangles_a, error);
+  const internal::Triangle_tree tree(internal::as_vecs(points_b), triangles_b);
+  return internal::Directed_hausdorff_search(tree).run(internal::as_vecs(points_a), triangles_a, error);
 }
 
 /// \ingroup PkgMultiplanarDistance
@@ -226,8 +226,8 @@ inline double mean_distance(const Points& points_a, const std::vector<std::array
                             const Points& points_b, const std::vector<std::array<int, 3>>& triangles_b)
 {
   if (triangles_a.empty() || triangles_b.empty()) throw std::invalid_argument("the distance of an empty surface");
-  const auto a = internal::to_vecs(points_a);
-  const internal::Triangle_tree tree(internal::to_vecs(points_b), triangles_b);
+  const auto a = internal::as_vecs(points_a);
+  const internal::Triangle_tree tree(internal::as_vecs(points_b), triangles_b);
   return internal::mean_distance_to_tree(a, triangles_a, tree, internal::bounding_box_diagonal(a) / 100);
 }
 

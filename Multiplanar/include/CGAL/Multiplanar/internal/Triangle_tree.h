@@ -21,8 +21,8 @@ namespace internal {
 /// Plain vectors for least squares and distances, where nothing is decided exactly.
 using Vec3 = Eigen::Vector3d;
 
-inline Vec3 to_vec(const Point_3& p) { return {p.x(), p.y(), p.z()}; }
-inline Point_3 to_point(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+inline Vec3 as_vec(const Point_3& p) { return {p.x(), p.y(), p.z()}; }
+inline Point_3 as_point(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 /// A point of a triangle in barycentric coordinates.
 struct Barycentric

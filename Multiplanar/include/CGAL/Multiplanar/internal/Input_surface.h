@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The Multiplanar authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTIPLANAR_INTERNAL_INPUT_SURFACE_H
+#define CGAL_MULTIPLANAR_INTERNAL_INPUT_SURFACE_H
+
+#include <CGAL/Multiplanar/internal/Connectivity.h>
+#include <CGAL/Multiplanar/internal/Triangle_tree.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <vector>
+
+namespace CGAL {
+namespace Multiplanar {
+namespace internal {
+
+/// A point of the model that distances are measured from, and the area that it stands for.
+struct Surface_sample
+{
+  Vec3 point;
+  double area;
+  int face; ///< a face that holds it
+};
+
+/// The model in the frame of the numerical work: bounding-box diagonal 1, box centre at the origin.
+struct Input_surface
+{
+  std::vector<Vec3> points;
+  const Connectivity* connectivity = nullptr;
+  Triangle_tree tree;
+  std::vector<Surface_sample> samples;
+  double area = 0;
+  Vec3 centre = Vec3::Zero();
+  double scale = 1; ///< of the model: its diagonal
+
+  Vec3 to_frame(const Point_3& p) const { return (as_vec(p) - centre) / scale; }
+  Point_3 from_frame(const Vec3& v) const { return as_point(v * scale + centre); }
+};
+
+/// All vertices, and points inside faces that are large for the number of samples wanted.
+inline void sample_input(Input_surface& in, int wanted)
+{
+  const Connectivity& c = *in.connectivity;
+  const double spacing = std::sqrt(in.area / wanted);
+  const int vertices = c.number_of_vertices();
+  std::vector<Surface_sample> all(vertices);
+  for (int v = 0; v < vertices; ++v) all[v] = {in.points[v], 0, c.star(v)[0]};
+  for (int f = 0; f < c.number_of_faces(); ++f) {
+    const auto& t = c.triangles[f];
+    const Vec3 a = in.points[t[0]], u = in.points[t[1]] - a, v = in.points[t[2]] - a;
+    const double area = u.cross(v).norm() / 2;
+    const int n = (std::min)(200, int((std::max)({u.norm(), v.norm(), (u - v).norm()}) / (1.7 * spacing)) + 1);
+    if (n == 1) {
+      for (int x : t) all[x].area += area / 3;
+      continue;
+    }
+    const double share = area / ((n + 1) * (n + 2) / 2);
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; i + j <= n; ++j) {
+        if (i == n || j == n || i + j == 0) all[t[i == n ? 1 : j == n ? 2 : 0]].area += share;
+        else all.push_back({a + u * (double(i) / n) + v * (double(j) / n), share, f});
+      }
+  }
+  if (int(all.size()) <= 2 * wanted) {
+    in.samples = std::move(all);
+    return;
+  }
+  // A fine mesh: one sample a cell of a grid, the first in vertex order, with the area of its cell.
+  std::map<std::array<int, 3>, int> cells;
+  for (const auto& s : all) {
+    const Vec3 q = s.point / spacing;
+    const std::array<int, 3> cell{int(std::floor(q[0])), int(std::floor(q[1])), int(std::floor(q[2]))};
+    const auto found = cells.insert({cell, int(in.samples.size())});
+    if (found.second) in.samples.push_back(s);
+    else in.samples[found.first->second].area += s.area;
+  }
+}
+
+inline Input_surface make_input_surface(const Connectivity& c, const Points& source, int samples = 5000)
+{
+  Input_surface in;
+  in.connectivity = &c;
+  Vec3 low = as_vec(source.front()), high = low;
+  for (const Point_3& p : source) low = low.cwiseMin(as_vec(p)), high = high.cwiseMax(as_vec(p));
+  in.centre = (low + high) / 2;
+  in.scale = (high - low).norm();
+  for (const Point_3& p : source) in.points.push_back(in.to_frame(p));
+  in.tree.build(in.points, c.triangles);
+  for (const auto& t : c.triangles)
+    in.area += (in.points[t[1]] - in.points[t[0]]).cross(in.points[t[2]] - in.points[t[0]]).norm() / 2;
+  sample_input(in, samples);
+  return in;
+}
+
+} // namespace internal
+} // namespace Multiplanar
+} // namespace CGAL
+
+#endif // CGAL_MULTIPLANAR_INTERNAL_INPUT_SURFACE_H

@@ -1,0 +1,229 @@
+// Copyright (c) 2026 The Multiplanar authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTIPLANAR_INTERNAL_TWO_SIDED_DISTANCE_H
+#define CGAL_MULTIPLANAR_INTERNAL_TWO_SIDED_DISTANCE_H
+
+#include <CGAL/Multiplanar/internal/Input_surface.h>
+#include <CGAL/Multiplanar/internal/Panel_surface.h>
+#include <CGAL/Multiplanar/internal/plane_corner_system.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Multiplanar {
+namespace internal {
+
+// The objective
+// -------------
+// r_v = distance of the model's sample v from the panels; r_q = distance of the panels' sample q from the model.
+//   E_p = sum_v a_v r_v^p / sum_v a_v + sum_q a_q r_q^p / sum_v a_v,
+// whose p-th root tends to the symmetric Hausdorff distance. A sample q of a panel, and the point of a panel closest to
+// a sample v, are convex combinations q = sum_i w_i x_i of the three corners of a triangle. With u the unit direction
+// of the distance, to first order r changes by
+//   dr = u.dq = sum_i w_i u.dx_i:
+// the other end of the shortest connection moves across it, or not at all. Where v is closest to the inside of a panel,
+// u is the panel's normal and dr is the motion of its plane alone; where u is not the panel's normal, q moves with the
+// corners.
+
+/// A point of a panel by the corners of a triangle.
+struct Panel_sample
+{
+  std::array<int, 3> corner;
+  Barycentric weights;
+  int panel;
+  double area;
+  int near; ///< the model's face that was closest last time
+};
+
+/// A distance as it stands: how long, in which direction the panel's point lies, and whose point that is.
+struct Distance
+{
+  double r = 0;
+  Vec3 u = Vec3::Zero();
+  Vec3 point = Vec3::Zero();
+  std::array<int, 3> corner{{-1, -1, -1}};
+  Barycentric weights{{1, 0, 0}};
+  int panel = -1;
+};
+
+/// r^p for a power of two p.
+inline double power(double r, int p)
+{
+  for (; p > 1; p /= 2) r *= r;
+  return r;
+}
+
+/// Adds samples of panel `p` to `samples`: a grid in its plane, points along its sides (each side by the lower panel
+/// of its edge only) and its corners (by the first panel around).
+class Panel_sampler
+{
+public:
+  Panel_sampler(const Panel_topology& topology, double spacing) : t(topology), spacing(spacing) {}
+
+  void sample_inside(const Flat_state& s, const Panel_surface& surface, int p, std::vector<Panel_sample>& samples) const
+  {
+    const auto frame = tangents(s.normal[p]);
+    for (const auto& q : surface.triangles_of(p)) {
+      const Vec3 &a = s.corner[q[0]], &b = s.corner[q[1]], &c = s.corner[q[2]];
+      Eigen::Vector2d A(a.dot(frame[0]), a.dot(frame[1])), B(b.dot(frame[0]), b.dot(frame[1])),
+          C(c.dot(frame[0]), c.dot(frame[1]));
+      const Eigen::Vector2d low = A.cwiseMin(B).cwiseMin(C) / spacing, high = A.cwiseMax(B).cwiseMax(C) / spacing;
+      const Eigen::Vector2d u = B - A, v = C - A;
+      const double det = u.x() * v.y() - u.y() * v.x();
+      if (std::abs(det) < 1e-14) continue;
+      for (int i = int(std::ceil(low.x())); i <= high.x(); ++i)
+        for (int j = int(std::ceil(low.y())); j <= high.y(); ++j) {
+          const Eigen::Vector2d d = Eigen::Vector2d(i, j) * spacing - A;
+          const double wb = (d.x() * v.y() - d.y() * v.x()) / det, wc = (u.x() * d.y() - u.y() * d.x()) / det;
+          if (wb < 0 || wc < 0 || wb + wc > 1) continue;
+          samples.push_back({q, {{1 - wb - wc, wb, wc}}, p, spacing * spacing, -1});
+        }
+    }
+  }
+
+  void sample_edge(const Flat_state& s, int e, std::vector<Panel_sample>& samples) const
+  {
+    const auto& edge = t.edges[e];
+    const int a = edge.corners[0], b = edge.corners[1];
+    const double length = (s.corner[a] - s.corner[b]).norm();
+    const int n = int(length / spacing) + 1;
+    for (int i = 1; i < n; ++i)
+      samples.push_back(
+          {{a, b, b}, {{1 - double(i) / n, double(i) / n, 0}}, edge.panels[0], 0.5 * spacing * length / n, -1});
+  }
+
+  void sample_corner(int c, std::vector<Panel_sample>& samples) const
+  {
+    samples.push_back({{c, c, c}, {{1, 0, 0}}, t.corner_panels[c][0], 0.5 * spacing * spacing, -1});
+  }
+
+private:
+  const Panel_topology& t;
+  double spacing;
+};
+
+/// All distances of a state in which a part of the panels may move.
+struct Evaluation
+{
+  std::vector<Distance> to_panels, to_input;
+  double largest = 0;
+};
+
+/// The distances that depend on the free panels of a system.
+class Two_sided_distance
+{
+public:
+  /// \param active which of the model's samples are looked at
+  Two_sided_distance(const Input_surface& input, const Panel_topology& topology, const Plane_corner_system& system,
+                     std::vector<int> active, double spacing)
+      : in(input), t(topology), system(system), active_(std::move(active)), sampler_(topology, spacing),
+        near_panel_(active_.size(), -1), changed_(topology.number_of_panels(), 0)
+  {
+    for (int c : system.free_corners())
+      for (int p : t.corner_panels[c]) changed_[p] = 1;
+    for (int p = 0; p < t.number_of_panels(); ++p)
+      if (changed_[p]) changed_panels_.push_back(p);
+  }
+
+  const std::vector<int>& active() const { return active_; }
+  const std::vector<char>& changed() const { return changed_; }
+  const std::vector<int>& changed_panels() const { return changed_panels_; }
+  const std::vector<Panel_sample>& samples() const { return samples_; }
+  double area_of_active(int i) const { return in.samples[active_[i]].area / in.area; }
+  double area_of_sample(int i) const { return samples_[i].area / in.area; }
+
+  /// Places new samples on the panels that change.
+  void resample(const Flat_state& s, const Panel_surface& surface)
+  {
+    samples_.clear();
+    for (int p : changed_panels_) sampler_.sample_inside(s, surface, p, samples_);
+    for (int e = 0; e < int(t.edges.size()); ++e)
+      if (system.moves(t.edges[e].corners[0]) || system.moves(t.edges[e].corners[1]))
+        sampler_.sample_edge(s, e, samples_);
+    for (int c : system.free_corners()) sampler_.sample_corner(c, samples_);
+  }
+
+  /// Measures every distance. \pre the tree of `surface` stands at `s`
+  void evaluate(const Flat_state& s, const Panel_surface& surface, Evaluation& e)
+  {
+    e.to_panels.resize(active_.size());
+    e.to_input.resize(samples_.size());
+    e.largest = 0;
+    for (std::size_t i = 0; i < active_.size(); ++i) {
+      const Vec3& v = in.samples[active_[i]].point;
+      const int hint = near_panel_[i] < surface.tree().number_of_triangles() ? near_panel_[i] : -1;
+      const auto c = surface.tree().closest(v, hint);
+      near_panel_[i] = c.triangle;
+      Distance& d = e.to_panels[i];
+      d.panel = surface.panel_of(c.triangle);
+      d.corner = surface.triangles()[c.triangle];
+      d.weights = c.weights;
+      set(d, c.point, v, s.normal[d.panel]);
+      e.largest = (std::max)(e.largest, d.r);
+    }
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      Panel_sample& q = samples_[i];
+      Vec3 x = Vec3::Zero();
+      for (int j = 0; j < 3; ++j) x += q.weights.w[j] * s.corner[q.corner[j]];
+      const auto c = in.tree.closest(x, q.near);
+      q.near = c.triangle;
+      Distance& d = e.to_input[i];
+      d.panel = q.panel, d.corner = q.corner, d.weights = q.weights;
+      set(d, x, c.point, s.normal[q.panel]);
+      e.largest = (std::max)(e.largest, d.r);
+    }
+  }
+
+  /// E_p with distances in units of `unit`.
+  double energy(const Evaluation& e, int p, double unit) const
+  {
+    double sum = 0;
+    for (std::size_t i = 0; i < e.to_panels.size(); ++i)
+      sum += area_of_active(int(i)) * power(e.to_panels[i].r / unit, p);
+    for (std::size_t i = 0; i < e.to_input.size(); ++i)
+      sum += area_of_sample(int(i)) * power(e.to_input[i].r / unit, p);
+    return sum;
+  }
+
+  /// The first-order change of a distance as a form in the unknowns.
+  void linear_form(const Distance& d, const Flat_state& s, Linear_form& form) const
+  {
+    form.clear();
+    const double along = d.u.dot(s.normal[d.panel]);
+    if (std::abs(along) > 0.999) {
+      system.add_panel_motion(d.panel, d.point, along, form);
+      return;
+    }
+    for (int j = 0; j < 3; ++j)
+      if (d.weights.w[j] > 1e-12) system.add_corner_motion(d.corner[j], d.weights.w[j] * d.u, form);
+  }
+
+private:
+  static void set(Distance& d, const Vec3& panel_point, const Vec3& other, const Vec3& normal)
+  {
+    const Vec3 v = panel_point - other;
+    d.point = panel_point;
+    d.r = v.norm();
+    d.u = d.r > 1e-10 ? Vec3(v / d.r) : normal;
+  }
+
+  const Input_surface& in;
+  const Panel_topology& t;
+  const Plane_corner_system& system;
+  std::vector<int> active_;
+  Panel_sampler sampler_;
+  std::vector<int> near_panel_; // a triangle of the panels
+  std::vector<char> changed_;
+  std::vector<int> changed_panels_;
+  std::vector<Panel_sample> samples_;
+};
+
+} // namespace internal
+} // namespace Multiplanar
+} // namespace CGAL
+
+#endif // CGAL_MULTIPLANAR_INTERNAL_TWO_SIDED_DISTANCE_H
