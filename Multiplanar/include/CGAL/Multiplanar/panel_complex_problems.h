@@ -7,6 +7,7 @@
 #include <CGAL/Multiplanar/Panel_complex.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <string>
 #include <utility>
@@ -22,17 +23,25 @@ enum class Panel_problem
   closed_edge,         ///< a boundary without corners: one panel lies wholly inside another
   few_neighbours,      ///< a loop along fewer than three distinct panels: its lines bound no area
   touches_itself,      ///< a panel occurs twice around one corner
-  shared_ends          ///< two edges with the same two corners: they would coincide
+  shared_ends,         ///< two edges with the same two corners: they would coincide
+  repeated_corner      ///< two corners have three panels in common: three planes meet in one point
 };
 
 inline const char* to_string(Panel_problem p)
 {
   switch (p) {
-  case Panel_problem::not_a_planar_domain: return "is not a planar domain";
-  case Panel_problem::closed_edge: return "has a boundary without corners";
-  case Panel_problem::few_neighbours: return "has a loop with fewer than three neighbours";
-  case Panel_problem::touches_itself: return "touches itself at a corner";
-  case Panel_problem::shared_ends: return "has an edge that shares both corners with another edge";
+  case Panel_problem::not_a_planar_domain:
+    return "is not a planar domain";
+  case Panel_problem::closed_edge:
+    return "has a boundary without corners";
+  case Panel_problem::few_neighbours:
+    return "has a loop with fewer than three neighbours";
+  case Panel_problem::touches_itself:
+    return "touches itself at a corner";
+  case Panel_problem::shared_ends:
+    return "has an edge that shares both corners with another edge";
+  case Panel_problem::repeated_corner:
+    return "meets the same two panels at two corners";
   }
   return "";
 }
@@ -77,6 +86,16 @@ inline std::vector<Panel_complex_problem> panel_complex_problems(const Panel_com
     if (edge.is_closed()) continue;
     if (!ends.insert(std::minmax(edge.corners[0], edge.corners[1])).second || edge.corners[0] == edge.corners[1])
       result.push_back({Panel_problem::shared_ends, edge.panels[0], e});
+  }
+  std::set<std::array<int, 3>> triples; // of panels, at some corner
+  for (int i = 0; i < complex.number_of_corners(); ++i) {
+    std::vector<int> s = complex.corners[i].panels;
+    std::sort(s.begin(), s.end());
+    s.erase(std::unique(s.begin(), s.end()), s.end());
+    for (std::size_t a = 0; a < s.size(); ++a)
+      for (std::size_t b = a + 1; b < s.size(); ++b)
+        for (std::size_t d = b + 1; d < s.size(); ++d)
+          if (!triples.insert({s[a], s[b], s[d]}).second) result.push_back({Panel_problem::repeated_corner, s[a], i});
   }
   return result;
 }
