@@ -55,7 +55,7 @@ public:
   {
     trial_surface = surface;
     surface.build_tree(s);
-    faults = count_faults(s, surface, 1 << 20);
+    faults = faults_before_ = count_faults(s, surface, 1 << 20);
     for (int p : options.powers) run_power(p, s, surface);
   }
 
@@ -63,6 +63,8 @@ public:
   /// Distances at the state that `run` returned, with its last samples.
   const Evaluation& last() const { return base; }
   int evaluations() const { return evaluations_; }
+  /// Faults among the panels that change, before and after `run`.
+  int faults_before() const { return faults_before_; }
   int number_of_faults() const { return faults; }
 
 private:
@@ -208,7 +210,7 @@ private:
   Eigen::MatrixXd H, D;
   Eigen::VectorXd f, zero;
   double damping_scale = 1;
-  int evaluations_ = 0, faults = 0;
+  int evaluations_ = 0, faults = 0, faults_before_ = 0;
 };
 
 } // namespace internal

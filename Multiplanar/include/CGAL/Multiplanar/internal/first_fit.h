@@ -65,11 +65,11 @@ inline void fit_plane(const Moments& m, Vec3& normal, double& offset)
 
 /// Planes and corners of the free panels fitted together: minimises
 ///   sum over free panels of  integral (n.x - d)^2 over its faces / total area  +  pull * sum over corners |x - x0|^2
-/// under flatness, by Gauss-Newton steps that start at x0 (corners anywhere, planes as in `s`) and end flat. The pull
-/// keeps ill-conditioned corners in place.
-/// \return false if no flat state was reached
+/// (for a free panel not in `refit`, the motion of its plane takes the integral's place) under flatness, by
+/// Gauss-Newton steps that start at x0 (corners anywhere, planes as in `s`) and end flat. The pull keeps
+/// ill-conditioned corners in place. \return false if no flat state was reached
 inline bool first_fit(const Panel_topology& t, const std::vector<Moments>& moments, Plane_corner_system& system,
-                      Flat_state& s, double pull, int steps = 8)
+                      const std::vector<char>& refit, Flat_state& s, double pull, int steps = 8)
 {
   const std::vector<Vec3> old = s.corner;
   double area = 0;
@@ -81,6 +81,10 @@ inline bool first_fit(const Panel_topology& t, const std::vector<Moments>& momen
     Eigen::VectorXd f = Eigen::VectorXd::Zero(system.unknowns());
     H.diagonal().array() += 1e-9;
     for (int p : system.free_panels()) {
+      if (!refit[p]) {
+        H.diagonal().segment<3>(3 * system.block_of(p)).array() += moments[p].area / area;
+        continue;
+      }
       // The three principal points q_i = mean +- sqrt(3) sigma_i e_i reproduce the second moments exactly.
       const Moments& m = moments[p];
       const Vec3 mean = m.first / m.area;

@@ -110,6 +110,7 @@ public:
   const std::vector<int>& free_corners() const { return free_corners_; }
   bool moves(int c) const { return moves_[c]; }
   bool is_free(int p) const { return free_[p]; }
+  int block_of(int p) const { return panel_block_[p]; }
 
   /// Adds factor * u.dx of corner `c` to `form`.
   void add_corner_motion(int c, const Vec3& u, Linear_form& form) const
