@@ -7,6 +7,8 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Multiplanar/internal/Connectivity.h>
 
+#include <boost/container/static_vector.hpp>
+
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -26,13 +28,14 @@ bool meet_properly(const Connectivity& c, const std::vector<typename K::Point_3>
 {
   using Triangle = typename K::Triangle_3;
   using Segment = typename K::Segment_3;
-  std::vector<int> shared, of_f, of_g;
-  for (int v : c.triangles[f]) {
-    const auto& t = c.triangles[g];
-    (v == t[0] || v == t[1] || v == t[2] ? shared : of_f).push_back(v);
-  }
+  boost::container::static_vector<int, 3> shared, of_f, of_g;
+  const auto holds = [&](int h, int v) {
+    const auto& t = c.triangles[h];
+    return t[0] == v || t[1] == v || t[2] == v;
+  };
+  for (int v : c.triangles[f]) (holds(g, v) ? shared : of_f).push_back(v);
   for (int v : c.triangles[g])
-    if (v != c.triangles[f][0] && v != c.triangles[f][1] && v != c.triangles[f][2]) of_g.push_back(v);
+    if (!holds(f, v)) of_g.push_back(v);
   const auto triangle = [&](int h) {
     const auto& t = c.triangles[h];
     return Triangle(x[t[0]], x[t[1]], x[t[2]]);
@@ -51,23 +54,36 @@ bool meet_properly(const Connectivity& c, const std::vector<typename K::Point_3>
   }
 }
 
-/// Are the faces around `v` free of every other face and of each other, with positive areas?
-template <class K>
-bool is_star_embedded(const Connectivity& c, const std::vector<typename K::Point_3>& x, int v)
+template <class Points_of_kernel>
+CGAL::Bbox_3 box_of(const Connectivity& c, const Points_of_kernel& x, int f)
 {
-  const auto box = [&](int f) {
-    const auto& t = c.triangles[f];
-    return x[t[0]].bbox() + x[t[1]].bbox() + x[t[2]].bbox();
-  };
+  const auto& t = c.triangles[f];
+  return x[t[0]].bbox() + x[t[1]].bbox() + x[t[2]].bbox();
+}
+
+/// The boxes of all faces.
+template <class Points_of_kernel>
+std::vector<CGAL::Bbox_3> boxes_of(const Connectivity& c, const Points_of_kernel& x)
+{
+  std::vector<CGAL::Bbox_3> boxes;
+  for (int f = 0; f < c.number_of_faces(); ++f) boxes.push_back(box_of(c, x, f));
+  return boxes;
+}
+
+/// Are the faces around `v` free of every other face and of each other, with positive areas? `boxes` are those of the
+/// faces of a state that differs from `x` in the place of v only; those around v are brought up to date.
+template <class K>
+bool is_star_embedded(const Connectivity& c, const std::vector<typename K::Point_3>& x, int v,
+                      std::vector<CGAL::Bbox_3>& boxes)
+{
   for (int f : c.star(v)) {
     const auto& t = c.triangles[f];
     if (CGAL::collinear(x[t[0]], x[t[1]], x[t[2]])) return false;
+    boxes[f] = box_of(c, x, f);
   }
-  for (int f : c.star(v)) {
-    const CGAL::Bbox_3 box_f = box(f);
+  for (int f : c.star(v))
     for (int g = 0; g < c.number_of_faces(); ++g)
-      if (g != f && CGAL::do_overlap(box_f, box(g)) && !meet_properly<K>(c, x, f, g)) return false;
-  }
+      if (g != f && CGAL::do_overlap(boxes[f], boxes[g]) && !meet_properly<K>(c, x, f, g)) return false;
   return true;
 }
 
@@ -93,10 +109,11 @@ int first_contact_in(const Connectivity& c, const Points& x, int v, const Point_
   using FT = typename K::FT;
   std::vector<typename K::Point_3> scaled;
   for (const Point_3& p : x) scaled.emplace_back(FT(p.x()) * samples, FT(p.y()) * samples, FT(p.z()) * samples);
+  std::vector<CGAL::Bbox_3> boxes = boxes_of(c, scaled);
   for (int k = 1; k <= samples; ++k) {
     const auto at = [&](int i) { return FT(x[v][i]) * (samples - k) + FT(to[i]) * k; };
     scaled[v] = typename K::Point_3(at(0), at(1), at(2));
-    if (!is_star_embedded<K>(c, scaled, v)) return k;
+    if (!is_star_embedded<K>(c, scaled, v, boxes)) return k;
   }
   return 0;
 }
