@@ -17,7 +17,7 @@ namespace Multiplanar {
 namespace internal {
 
 /// What the numerical work needs to know of a panel complex: who meets whom. Immutable.
-struct Panel_topology
+struct Complex_topology
 {
   struct Edge
   {
@@ -33,9 +33,9 @@ struct Panel_topology
 };
 
 /// \pre no edge of `complex` is closed
-inline Panel_topology panel_topology(const Panel_complex& complex)
+inline Complex_topology complex_topology(const Panel_complex& complex)
 {
-  Panel_topology t;
+  Complex_topology t;
   for (const auto& c : complex.corners) t.corner_panels.push_back(c.panels);
   for (const auto& panel : complex.panels) {
     t.loops.emplace_back();
@@ -65,17 +65,8 @@ inline Flat_state flat_state(const Panel_complex& complex)
   return s;
 }
 
-inline void write_state(const Flat_state& s, Panel_complex& complex)
-{
-  for (int p = 0; p < complex.number_of_panels(); ++p) {
-    complex.panels[p].plane.normal = Vector_3(s.normal[p].x(), s.normal[p].y(), s.normal[p].z());
-    complex.panels[p].plane.offset = s.offset[p];
-  }
-  for (int c = 0; c < complex.number_of_corners(); ++c) complex.corners[c].point = as_point(s.corner[c]);
-}
-
 /// The largest distance of a corner from a plane that it should lie in.
-inline double flatness(const Panel_topology& t, const Flat_state& s)
+inline double flatness(const Complex_topology& t, const Flat_state& s)
 {
   double worst = 0;
   for (int c = 0; c < t.number_of_corners(); ++c)

@@ -5,6 +5,7 @@
 #define CGAL_MULTIPLANAR_INTERNAL_INPUT_SURFACE_H
 
 #include <CGAL/Multiplanar/internal/Connectivity.h>
+#include <CGAL/Multiplanar/internal/Flat_state.h>
 #include <CGAL/Multiplanar/internal/Triangle_tree.h>
 
 #include <algorithm>
@@ -93,6 +94,16 @@ inline Input_surface make_input_surface(const Connectivity& c, const Points& sou
     in.area += (in.points[t[1]] - in.points[t[0]]).cross(in.points[t[2]] - in.points[t[0]]).norm() / 2;
   sample_input(in, samples);
   return in;
+}
+
+/// Puts a state of the frame's units into a complex of the model's.
+inline void write_state(const Flat_state& s, const Input_surface& in, Panel_complex& complex)
+{
+  for (int p = 0; p < complex.number_of_panels(); ++p) {
+    complex.panels[p].plane.normal = Vector_3(s.normal[p].x(), s.normal[p].y(), s.normal[p].z());
+    complex.panels[p].plane.offset = s.offset[p] * in.scale + s.normal[p].dot(in.centre);
+  }
+  for (int c = 0; c < complex.number_of_corners(); ++c) complex.corners[c].point = in.from_frame(s.corner[c]);
 }
 
 } // namespace internal

@@ -23,7 +23,7 @@ namespace internal {
 struct Panel_model
 {
   std::vector<int> labels;
-  std::shared_ptr<const Panel_topology> topology;
+  std::shared_ptr<const Complex_topology> topology;
   std::vector<int> corner_vertex; ///< the mesh vertex of each corner
   Flat_state state;
   std::shared_ptr<Panel_surface> surface;
@@ -61,8 +61,8 @@ public:
     const Panel_complex complex = make_panel_complex(c, frame_points, edit.labels, n);
     if (!panel_complex_problems(complex).empty()) return false;
     m.labels = edit.labels;
-    m.topology = std::make_shared<const Panel_topology>(panel_topology(complex));
-    const Panel_topology& t = *m.topology;
+    m.topology = std::make_shared<const Complex_topology>(complex_topology(complex));
+    const Complex_topology& t = *m.topology;
     m.corner_vertex.clear();
     for (const auto& corner : complex.corners) m.corner_vertex.push_back(corner.vertex);
     m.moments.assign(n, Moments());
@@ -119,7 +119,7 @@ public:
   /// Measures all distances.
   void measure(Panel_model& m) const
   {
-    const Panel_topology& t = *m.topology;
+    const Complex_topology& t = *m.topology;
     const int n = m.panels();
     std::vector<int> all(in.samples.size());
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = int(i);
@@ -155,7 +155,7 @@ private:
   /// is near, or else on the mesh. All panels around a corner that is new become free.
   void place_corners(const Panel_model* old, const Label_edit& edit, Panel_model& m, std::vector<char>& free) const
   {
-    const Panel_topology& t = *m.topology;
+    const Complex_topology& t = *m.topology;
     std::unordered_map<int, int> before;
     if (old)
       for (std::size_t i = 0; i < old->corner_vertex.size(); ++i) before[old->corner_vertex[i]] = int(i);
@@ -207,7 +207,7 @@ private:
 };
 
 /// Free for local work: the panels in `touched` and all that share a corner with them.
-inline std::vector<char> with_ring(const Panel_topology& t, const std::vector<char>& touched)
+inline std::vector<char> with_ring(const Complex_topology& t, const std::vector<char>& touched)
 {
   std::vector<char> result = touched;
   for (const auto& around : t.corner_panels) {

@@ -44,7 +44,7 @@ class Panel_surface
 public:
   using Triangle = std::array<int, 3>;
 
-  explicit Panel_surface(const Panel_topology& topology)
+  explicit Panel_surface(const Complex_topology& topology)
       : t(&topology), panel_triangles_(topology.number_of_panels()), simple_(topology.number_of_panels(), 0)
   {
   }
@@ -120,7 +120,7 @@ private:
     return simple;
   }
 
-  const Panel_topology* t;
+  const Complex_topology* t;
   std::vector<std::vector<Triangle>> panel_triangles_;
   std::vector<char> simple_;
   std::vector<Triangle> triangles_;

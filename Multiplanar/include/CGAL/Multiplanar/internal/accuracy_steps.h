@@ -40,7 +40,7 @@ struct Accuracy_options
 class Accuracy_steps
 {
 public:
-  Accuracy_steps(const Input_surface& input, const Panel_topology& topology, std::vector<char> free,
+  Accuracy_steps(const Input_surface& input, const Complex_topology& topology, std::vector<char> free,
                  std::vector<int> active, double spacing, const Accuracy_options& options)
       : t(topology), options(options), system(topology, std::move(free)),
         distance(input, topology, system, std::move(active), spacing), trial_surface(topology)
@@ -199,7 +199,7 @@ private:
     return bad + int(surface.conflicts(s, distance.changed(), limit).size());
   }
 
-  const Panel_topology& t;
+  const Complex_topology& t;
   Accuracy_options options;
   Plane_corner_system system;
   Two_sided_distance distance;

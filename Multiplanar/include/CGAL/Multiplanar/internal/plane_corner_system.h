@@ -78,7 +78,7 @@ class Plane_corner_system
 {
 public:
   /// \param free which panels may move; the corners on a free panel move with it, on the planes of the others
-  Plane_corner_system(const Panel_topology& topology, std::vector<char> free)
+  Plane_corner_system(const Complex_topology& topology, std::vector<char> free)
       : t(topology), free_(std::move(free)), panel_block_(t.number_of_panels(), -1),
         corner_block_(t.number_of_corners(), -1), moves_(t.number_of_corners(), 0), frames_(t.number_of_panels()),
         inverse_(t.number_of_corners()), miss_(t.number_of_corners(), Vec3::Zero())
@@ -297,7 +297,7 @@ private:
 
   static constexpr double smallest_determinant = 1e-3;
 
-  const Panel_topology& t;
+  const Complex_topology& t;
   std::vector<char> free_;
   std::vector<int> panel_block_, corner_block_;
   std::vector<char> moves_;

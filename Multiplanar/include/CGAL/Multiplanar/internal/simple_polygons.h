@@ -55,7 +55,7 @@ inline bool segments_cross(const Point_2& a, const Point_2& b, const Point_2& c,
 }
 
 /// Is the loop a simple polygon: no two sides meet but neighbours in their common end? Exact, quadratic.
-inline bool is_simple_loop(const Polygon_loop& l)
+inline bool is_simple_polygon_loop(const Polygon_loop& l)
 {
   const int n = int(l.size());
   if (n < 3) return false;
@@ -109,7 +109,7 @@ inline bool loops_meet(const Polygon_loop& l, const Polygon_loop& m)
 inline bool is_polygon_with_holes(const std::vector<Polygon_loop>& loops)
 {
   for (std::size_t i = 0; i < loops.size(); ++i) {
-    if (!is_simple_loop(loops[i]) || is_counter_clockwise(loops[i]) != (i == 0)) return false;
+    if (!is_simple_polygon_loop(loops[i]) || is_counter_clockwise(loops[i]) != (i == 0)) return false;
     for (std::size_t j = 0; j < i; ++j) {
       if (loops_meet(loops[i], loops[j])) return false;
       if (is_inside(loops[j], loops[i][0]) != (j == 0)) return false;

@@ -62,7 +62,7 @@ inline double power(double r, int p)
 class Panel_sampler
 {
 public:
-  Panel_sampler(const Panel_topology& topology, double spacing) : t(topology), spacing(spacing) {}
+  Panel_sampler(const Complex_topology& topology, double spacing) : t(topology), spacing(spacing) {}
 
   void sample_inside(const Flat_state& s, const Panel_surface& surface, int p, std::vector<Panel_sample>& samples) const
   {
@@ -102,7 +102,7 @@ public:
   }
 
 private:
-  const Panel_topology& t;
+  const Complex_topology& t;
   double spacing;
 };
 
@@ -118,7 +118,7 @@ class Two_sided_distance
 {
 public:
   /// \param active which of the model's samples are looked at
-  Two_sided_distance(const Input_surface& input, const Panel_topology& topology, const Plane_corner_system& system,
+  Two_sided_distance(const Input_surface& input, const Complex_topology& topology, const Plane_corner_system& system,
                      std::vector<int> active, double spacing)
       : in(input), t(topology), system(system), active_(std::move(active)), sampler_(topology, spacing),
         near_panel_(active_.size(), -1), changed_(topology.number_of_panels(), 0)
@@ -212,7 +212,7 @@ private:
   }
 
   const Input_surface& in;
-  const Panel_topology& t;
+  const Complex_topology& t;
   const Plane_corner_system& system;
   std::vector<int> active_;
   Panel_sampler sampler_;

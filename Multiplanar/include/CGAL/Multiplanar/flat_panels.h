@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Multiplanar authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTIPLANAR_FLAT_PANELS_H
+#define CGAL_MULTIPLANAR_FLAT_PANELS_H
+
+#include <CGAL/Multiplanar/Approximation_options.h>
+#include <CGAL/Multiplanar/Panel_complex.h>
+#include <CGAL/Multiplanar/hausdorff.h>
+#include <CGAL/Multiplanar/internal/Panel_search.h>
+#include <CGAL/Multiplanar/panel_triangulation.h>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Multiplanar {
+
+/// What `flat_panels()` is asked for.
+struct Flat_panels_options
+{
+  int max_panels = 50;            ///< k
+  Effort effort = Effort::normal; ///< how long to look for better partitions
+  double time_limit = 0;          ///< seconds after which the search stops, 0: none. If it strikes, results vary
+  int threads = 0;                ///< 0: all that the machine has; the result does not depend on it
+  std::uint64_t seed = 0;
+  double min_edge = 0.002;  ///< shortest edge aimed at, in diagonals of the bounding box
+  double min_width = 0.002; ///< smallest width of a panel, in diagonals
+};
+
+/// Exactly flat panels near a model.
+struct Flat_panels_result
+{
+  bool ok = false;                ///< all promises hold: simple flat panels, closed, no intersections, at most k
+  Panel_complex complex;          ///< in the units of the source
+  std::vector<int> panel_of_face; ///< the labelling that `complex` has the combinatorics of
+  double hausdorff = 0;           ///< symmetric distance between the source and the panels: an upper bound, certified
+  double to_panels = 0;           ///< from the source to the panels
+  double to_input = 0;            ///< from the panels to the source
+  double hausdorff_error = 0;     ///< how far these may exceed what is attained
+  double mean = 0;                ///< mean distance of the source from the panels
+  std::vector<std::string> notes;
+};
+
+/// Receives the part of the work done, 0..1; false stops the search (what was found so far is returned).
+using Flat_panels_progress = std::function<bool(double)>;
+
+namespace internal {
+
+inline void measure_panels(const Connectivity& c, const Points& source, double diagonal, Flat_panels_result& result)
+{
+  Points corners;
+  for (const auto& corner : result.complex.corners) corners.push_back(corner.point);
+  const auto triangles = triangulate_panels(result.complex).triangles;
+  result.hausdorff_error = 1e-5 * diagonal;
+  const auto d = symmetric_hausdorff(source, c.triangles, corners, triangles, result.hausdorff_error);
+  result.hausdorff = d.upper();
+  result.to_panels = d.to_second.upper;
+  result.to_input = d.to_first.upper;
+  result.mean = mean_distance(source, c.triangles, corners, triangles);
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgMultiplanarComplex
+
+Finds at most k exactly flat panels near a closed triangle mesh.
+
+\param c, source the mesh
+\param partitions labellings of the faces to start from; more are made as `options.effort` allows
+\param options see `Flat_panels_options`
+\param progress called now and then
+
+The result is a closed polygon mesh without intersections, with the combinatorics of `panel_of_face`; corners lie in the
+planes of their panels to 1e-12 of the diagonal. If `ok` is false, no partition could be made so.
+*/
+inline Flat_panels_result flat_panels(const internal::Connectivity& c, const Points& source,
+                                      const std::vector<std::vector<int>>& partitions,
+                                      const Flat_panels_options& options, const Flat_panels_progress& progress = {})
+{
+  CGAL_precondition(int(source.size()) == c.number_of_vertices());
+  internal::Panel_search_options search_options;
+  search_options.max_panels = options.max_panels;
+  search_options.effort = options.effort;
+  search_options.time_limit = options.time_limit;
+  search_options.threads = options.threads;
+  search_options.seed = options.seed;
+  search_options.min_edge = options.min_edge;
+  search_options.min_width = options.min_width;
+  const internal::Input_surface input = internal::make_input_surface(c, source);
+  internal::Panel_search search(input, search_options, progress);
+  Flat_panels_result result;
+  internal::Panel_model model;
+  const bool found = search.run(partitions, model);
+  result.notes = search.notes;
+  if (!found) return result;
+  result.panel_of_face = model.labels;
+  result.complex = make_panel_complex(c, source, model.labels, model.panels());
+  internal::write_state(model.state, input, result.complex);
+  result.ok = true;
+  for (int p = 0; p < model.panels(); ++p) result.ok = result.ok && is_simple_panel(result.complex, p);
+  if (result.ok) internal::measure_panels(c, source, input.scale, result);
+  return result;
+}
+
+} // namespace Multiplanar
+} // namespace CGAL
+
+#endif // CGAL_MULTIPLANAR_FLAT_PANELS_H
