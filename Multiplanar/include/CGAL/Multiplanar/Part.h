@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Multiplanar authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTIPLANAR_PART_H
+#define CGAL_MULTIPLANAR_PART_H
+
+#include <CGAL/Multiplanar/internal/kernel.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Multiplanar {
+
+using Point_2 = Kernel::Point_2;
+
+/// A closed polygon in the plane of a part or of a sheet, in mm; the last vertex is followed by the first.
+using Outline = std::vector<Point_2>;
+
+/// Where the plane of a part lies in the model: orthonormal up to rounding, u x v = normal.
+struct Frame
+{
+  Point_3 origin = Point_3(0, 0, 0);
+  Vector_3 u = Vector_3(1, 0, 0), v = Vector_3(0, 1, 0), normal = Vector_3(0, 0, 1);
+
+  Point_3 operator()(const Point_2& p) const { return origin + p.x() * u + p.y() * v; }
+  /// The coordinates of the foot of the perpendicular from `p`.
+  Point_2 project(const Point_3& p) const { return Point_2((p - origin) * u, (p - origin) * v); }
+};
+
+/// A line of text on a part. `at` is the middle of the text (half its width, half the height of a capital letter),
+/// `angle` the direction of its base line in degrees, `height` that of a capital letter in mm. On a part that is placed
+/// mirrored, `at` is mirrored and the base line too, but the letters are not.
+struct Engraving
+{
+  std::string text;
+  Point_2 at = Point_2(0, 0);
+  double angle = 0;
+  double height = 0;
+};
+
+/// Twice the signed area of a polygon: positive when it runs counter-clockwise.
+inline double twice_signed_area(const Outline& outline)
+{
+  double sum = 0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Point_2 &a = outline[i], &b = outline[(i + 1) % outline.size()], &o = outline[0];
+    sum += (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
+  }
+  return sum;
+}
+
+/*!
+\ingroup PkgMultiplanarParts
+
+A flat piece to be cut out of sheet material, in mm, with nominal measures: no kerf, no interference. The solid it
+stands for is { origin + x u + y v - z normal : (x, y) in the outline but in no hole, 0 <= z <= thickness }.
+*/
+struct Part
+{
+  enum class Kind
+  {
+    panel,
+    connector
+  };
+
+  std::string id;
+  Kind kind = Kind::panel;
+  Frame frame;
+  Outline outline;                      ///< counter-clockwise
+  std::vector<Outline> holes;           ///< clockwise
+  std::vector<std::array<int, 2>> tabs; ///< outline vertices i..j that form a tab or a tooth
+  std::vector<Engraving> engraving;
+
+  /// In mm^2, holes taken off.
+  double area() const
+  {
+    double sum = twice_signed_area(outline);
+    for (const Outline& hole : holes)
+      sum -= twice_signed_area(hole) < 0 ? -twice_signed_area(hole) : twice_signed_area(hole);
+    return sum / 2;
+  }
+};
+
+} // namespace Multiplanar
+} // namespace CGAL
+
+#endif // CGAL_MULTIPLANAR_PART_H

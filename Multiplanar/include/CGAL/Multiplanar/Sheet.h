@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The Multiplanar authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTIPLANAR_SHEET_H
+#define CGAL_MULTIPLANAR_SHEET_H
+
+#include <CGAL/Multiplanar/Part.h>
+
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Multiplanar {
+
+/// Where a part lies on a sheet: mirrored (x -> -x) if so, then rotated by `rotation` degrees, then shifted to (x, y).
+struct Placement
+{
+  int part = -1; ///< position in the list of parts
+  double x = 0, y = 0;
+  double rotation = 0;
+  bool mirrored = false;
+
+  Point_2 operator()(const Point_2& p) const
+  {
+    const double a = rotation * 3.14159265358979323846 / 180, c = std::cos(a), s = std::sin(a);
+    const double px = mirrored ? -p.x() : p.x();
+    return Point_2(c * px - s * p.y() + x, s * px + c * p.y() + y);
+  }
+};
+
+/// A rectangle of material with its parts; the lower left corner is the origin, y points upward, lengths are in mm.
+struct Sheet
+{
+  double width = 0, height = 0;
+  std::vector<Placement> placements;
+};
+
+/// How parts are laid on sheets.
+struct Sheet_options
+{
+  double width = 600, height = 400;
+  double border = 5;    ///< free margin along the edge of a sheet
+  double gap = 2;       ///< material left between two parts, in mm
+  double kerf = 0;      ///< full width of the cut
+  bool mirrored = true; ///< parts lie inner face up
+};
+
+} // namespace Multiplanar
+} // namespace CGAL
+
+#endif // CGAL_MULTIPLANAR_SHEET_H
