@@ -27,6 +27,7 @@ namespace Multiplanar {
 /// Regularises a partition of a graph by alpha-expansion. Takes what `CGAL::alpha_expansion_graphcut()` takes, gives
 /// what that function gives with its Boost implementations, and needs a small part of its time.
 ///
+/// \tparam ConcurrencyTag `CGAL::Sequential_tag` (default) or `CGAL::Parallel_tag`; the result is the same
 /// \tparam InputGraph a model of `VertexAndEdgeListGraph`
 /// \tparam EdgeCostMap a model of `ReadablePropertyMap`: edge descriptor -> `double`, >= 0
 /// \tparam VertexLabelCostMap a model of `ReadablePropertyMap`: vertex descriptor -> `std::vector<double>`, the cost of
@@ -36,19 +37,16 @@ namespace Multiplanar {
 /// \param np optional named parameters:
 ///   - `vertex_index_map(map)`: vertex descriptor -> 0 .. num_vertices - 1; default: as everywhere in the BGL package
 ///   - `number_of_iterations(n)`: sweeps over all labels at most; default: until nothing changes
-///   - `concurrency_tag(tag)`: `CGAL::Sequential_tag` (default) or `CGAL::Parallel_tag`; the result is the same
 /// \returns the energy of the final labelling, 0 for a graph without vertices
-template <class InputGraph, class EdgeCostMap, class VertexLabelCostMap, class VertexLabelMap,
-          class NamedParameters = parameters::Default_named_parameters>
+template <class ConcurrencyTag = Sequential_tag, class InputGraph, class EdgeCostMap, class VertexLabelCostMap,
+          class VertexLabelMap, class NamedParameters = CGAL::parameters::Default_named_parameters>
 double alpha_expansion_graphcut(const InputGraph& input_graph, EdgeCostMap edge_cost_map,
                                 VertexLabelCostMap vertex_label_cost_map, VertexLabelMap vertex_label_map,
-                                const NamedParameters& np = parameters::default_values())
+                                const NamedParameters& np = CGAL::parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
   using Label = typename boost::property_traits<VertexLabelMap>::value_type;
-  using Tag = typename internal_np::Lookup_named_param_def<internal_np::concurrency_tag_t, NamedParameters,
-                                                           Sequential_tag>::type;
 
   const auto index = CGAL::get_initialized_vertex_index_map(input_graph, np);
   std::vector<std::pair<int, int>> edge_list;
@@ -74,8 +72,8 @@ double alpha_expansion_graphcut(const InputGraph& input_graph, EdgeCostMap edge_
   }
   Alpha_expansion_options options;
   options.maximal_sweeps =
-      choose_parameter(get_parameter(np, internal_np::number_of_iterations), (std::numeric_limits<int>::max)());
-  options.threads = std::is_convertible<Tag, Parallel_tag>::value ? 0 : 1;
+      choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), (std::numeric_limits<int>::max)());
+  options.threads = std::is_convertible<ConcurrencyTag, Parallel_tag>::value ? 0 : 1;
   const auto result =
       alpha_expansion(make_potts_graph(nodes, edge_list, weights), cost.labels, cost, labelling, options);
   for (auto v : CGAL::make_range(vertices(input_graph))) put(vertex_label_map, v, Label(labelling[get(index, v)]));

@@ -9,6 +9,7 @@
 #include <CGAL/Multiplanar/Potts_graph.h>
 #include <CGAL/Multiplanar/internal/Connectivity.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -63,29 +64,34 @@ public:
     CGAL_precondition(points.size() == std::size_t(connectivity.number_of_vertices()));
     CGAL_precondition(saliency.empty() || saliency.size() == std::size_t(connectivity.number_of_faces()));
     CGAL_precondition(weights.normal_distance >= 0 && weights.smoothness >= 0);
-    const std::size_t faces = connectivity.number_of_faces();
-    for (std::vector<double>* column : {&areas, &nx, &ny, &nz, &cx, &cy, &cz}) column->resize(faces);
-    for (std::size_t f = 0; f < faces; ++f) set_face(int(f), points);
+    face_data.reserve(connectivity.number_of_faces());
+    for (int f = 0; f < connectivity.number_of_faces(); ++f) {
+      face_data.push_back(make_face(f, points));
+      CGAL_precondition(saliency.empty() || saliency[f] >= 0);
+    }
+    fill_columns();
   }
 
-  int faces() const { return int(areas.size()); }
-  double area(int face) const { return areas[face]; }
-  Vector_3 normal(int face) const { return Vector_3(nx[face], ny[face], nz[face]); }
-  Point_3 centroid(int face) const { return Point_3(cx[face], cy[face], cz[face]); }
+  int faces() const { return int(face_data.size()); }
+  double area(int face) const { return face_data[face].area; }
+  Vector_3 normal(int face) const { return Vector_3(face_data[face].nx, face_data[face].ny, face_data[face].nz); }
+  Point_3 centroid(int face) const { return Point_3(face_data[face].cx, face_data[face].cy, face_data[face].cz); }
   const Labelling_weights& weights() const { return label_weights; }
 
   /// The plane of face p: n_p, and d = c_p . n_p.
   Plane plane_of(int face) const
   {
-    return {normal(face), cx[face] * nx[face] + cy[face] * ny[face] + cz[face] * nz[face]};
+    const Face& p = face_data[face];
+    return {normal(face), p.cx * p.nx + p.cy * p.ny + p.cz * p.nz};
   }
 
   /// D_p(f) = A_p (|n_f - n_p|_1 + w_n |d_f - c_p . n_f|), eq. 2.
   double data_cost(int face, const Plane& plane) const
   {
-    double cost;
-    data_costs(plane, face, face + 1, &cost);
-    return cost;
+    const Vector_3& n = plane.normal;
+    const Face& p = face_data[face];
+    return formula(p.area, p.nx, p.ny, p.nz, p.cx, p.cy, p.cz, n.x(), n.y(), n.z(), plane.offset,
+                   label_weights.normal_distance);
   }
 
   /// Writes the data costs of faces `first` .. `last` - 1 for one plane to `out`.
@@ -93,12 +99,12 @@ public:
   {
     const double x = plane.normal.x(), y = plane.normal.y(), z = plane.normal.z(), d = plane.offset;
     const double w = label_weights.normal_distance;
-    const double *a = areas.data() + first, *px = nx.data() + first, *py = ny.data() + first, *pz = nz.data() + first;
-    const double *qx = cx.data() + first, *qy = cy.data() + first, *qz = cz.data() + first;
+    const double *a = areas.data() + first, *nx = normals[0].data() + first, *ny = normals[1].data() + first,
+                 *nz = normals[2].data() + first, *cx = centroids[0].data() + first, *cy = centroids[1].data() + first,
+                 *cz = centroids[2].data() + first;
     const int n = last - first;
     for (int i = 0; i < n; ++i) // without branches, so that compilers vectorise it
-      out[i] = a[i] * (std::abs(x - px[i]) + std::abs(y - py[i]) + std::abs(z - pz[i]) +
-                       w * std::abs(d - (qx[i] * x + qy[i] * y + qz[i] * z)));
+      out[i] = formula(a[i], nx[i], ny[i], nz[i], cx[i], cy[i], cz[i], x, y, z, d, w);
   }
 
   /// The data cost D_p(f) of the labels 0 .. planes.size() - 1 with these planes, as `alpha_expansion()` takes it.
@@ -109,9 +115,10 @@ public:
   /// A_pq (4 - |n_p - n_q|_1 + w_t), eqs. 3 and 4, with the mean of the two areas and of the two saliency weights.
   double boundary_cost(int p, int q) const
   {
-    const double steps = std::abs(nx[p] - nx[q]) + std::abs(ny[p] - ny[q]) + std::abs(nz[p] - nz[q]);
+    const Face &a = face_data[p], &b = face_data[q];
+    const double steps = std::abs(a.nx - b.nx) + std::abs(a.ny - b.ny) + std::abs(a.nz - b.nz);
     const double w_t = saliency.empty() ? 0 : (saliency[p] + saliency[q]) / 2;
-    return (areas[p] + areas[q]) / 2 * (4 - steps + w_t);
+    return (a.area + b.area) / 2 * (4 - steps + w_t);
   }
 
   /// The faces as nodes, the mesh's edges with weights w_V V_pq.
@@ -137,26 +144,57 @@ public:
   }
 
 private:
-  void set_face(int f, const Points& points)
+  struct Face
+  {
+    double area, nx, ny, nz, cx, cy, cz;
+  };
+
+  // Eq. 2 for one face (a, n, c) and one plane (x, y, z, d).
+  static double formula(double a, double nx, double ny, double nz, double cx, double cy, double cz, double x, double y,
+                        double z, double d, double w)
+  {
+    return a * (std::abs(x - nx) + std::abs(y - ny) + std::abs(z - nz) + w * std::abs(d - (cx * x + cy * y + cz * z)));
+  }
+
+  Face make_face(int f, const Points& points) const
   {
     const auto& t = connectivity->triangles[f];
+    const Point_3 &p = points[t[0]], &q = points[t[1]], &r = points[t[2]];
     const Vector_3 twice = internal::area_vector(*connectivity, points, f);
     const double length = std::sqrt(twice.squared_length());
     const Vector_3 n = length > 0 ? twice / length : Vector_3(0, 0, 0);
-    areas[f] = length / 2;
-    nx[f] = n.x();
-    ny[f] = n.y();
-    nz[f] = n.z();
-    cx[f] = (points[t[0]].x() + points[t[1]].x() + points[t[2]].x()) / 3;
-    cy[f] = (points[t[0]].y() + points[t[1]].y() + points[t[2]].y()) / 3;
-    cz[f] = (points[t[0]].z() + points[t[1]].z() + points[t[2]].z()) / 3;
-    CGAL_precondition(saliency.empty() || saliency[f] >= 0);
+    return {length / 2,
+            n.x(),
+            n.y(),
+            n.z(),
+            (p.x() + q.x() + r.x()) / 3,
+            (p.y() + q.y() + r.y()) / 3,
+            (p.z() + q.z() + r.z()) / 3};
+  }
+
+  void fill_columns()
+  {
+    for (std::vector<double>* column :
+         {&areas, &normals[0], &normals[1], &normals[2], &centroids[0], &centroids[1], &centroids[2]})
+      column->reserve(face_data.size());
+    for (const Face& f : face_data) {
+      areas.push_back(f.area);
+      normals[0].push_back(f.nx);
+      normals[1].push_back(f.ny);
+      normals[2].push_back(f.nz);
+      centroids[0].push_back(f.cx);
+      centroids[1].push_back(f.cy);
+      centroids[2].push_back(f.cz);
+    }
   }
 
   const internal::Connectivity* connectivity;
   Labelling_weights label_weights;
-  std::vector<double> saliency;                      // w_t
-  std::vector<double> areas, nx, ny, nz, cx, cy, cz; // one column each, so that one plane meets many faces at a time
+  std::vector<double> saliency; // w_t
+  // The same numbers twice: by face, where one face meets one plane; by column, where one plane meets many faces.
+  std::vector<Face> face_data;
+  std::vector<double> areas;
+  std::array<std::vector<double>, 3> normals, centroids;
 };
 
 /// D_p(f) for labels with given planes: a data cost for `alpha_expansion()` and `cheapest_labels()`.

@@ -17,11 +17,8 @@ namespace CGAL {
 namespace Multiplanar {
 namespace internal {
 
-/// A labelling and what one needs to expand its labels one after the other.
-///
-/// Nothing that an expansion cannot change is looked at twice: costs are evaluated once, an expansion of alpha visits
-/// only the nodes whose cost of alpha is low enough to matter, and a piece of survivors none of which (and none of
-/// whose neighbours) changed its label since alpha was last expanded is left alone.
+/// A labelling and what one needs to expand its labels one after the other. Costs of all labels are looked up once, to
+/// find where expansions may start; after that, an expansion costs no more than the part of the graph that it touches.
 template <class DataCost>
 class Alpha_expander
 {
@@ -29,8 +26,8 @@ public:
   /// \param labelling is changed by `expand`. It, `graph` and `cost` must outlive this object.
   Alpha_expander(const Potts_graph& graph, int labels, const DataCost& cost, std::vector<int>& labelling,
                  double tolerance, int threads)
-      : graph(graph), cost(cost), labelling(labelling), tolerance(tolerance), problem(graph, labelling),
-        data(current_costs()), candidates(cost, labels, bounds(), threads), changed_at(graph.nodes(), 0),
+      : graph(graph), cost(cost), labelling(labelling), tolerance(tolerance), problem(graph, labels, labelling),
+        data(current_costs()), candidates(cost, labels, bounds(), threads), renewed_at(graph.nodes(), 0),
         expanded_at(labels, -1), current_energy(recomputed_energy())
   {
   }
@@ -41,17 +38,21 @@ public:
   {
     if (last_change <= expanded_at[alpha]) return false; // nothing at all is new
     ++clock;
-    problem.start(alpha);
-    for (const auto& candidate : candidates[alpha])
-      if (labelling[candidate.node] != alpha) problem.offer(candidate.node, candidate.cost - data[candidate.node]);
-    problem.prune();
+    const std::vector<int>& ones = problem.solve(
+        alpha, [&](int p) { return cost(p, alpha) - data[p]; }, candidates[alpha],
+        [&](int p) { return renewed_at[p] > expanded_at[alpha]; });
     survivor_count += problem.survivors();
-    problem.keep_fresh([&](int p) { return changed_at[p] > expanded_at[alpha]; });
-    if (problem.survivors() == 0) {
-      expanded_at[alpha] = clock;
-      return false;
-    }
-    return accept(alpha, cut.smallest_minimiser(problem.energy()));
+    const double fall = -problem.energy_change();
+    const bool accepted = fall > tolerance * std::abs(current_energy - fall);
+    if (accepted || ones.empty()) expanded_at[alpha] = clock; // too small a fall is offered again, with what adds to it
+    if (!accepted) return false;
+    apply(alpha, ones);
+    current_energy -= fall;
+    CGAL_assertion(fall > 0);
+#ifdef CGAL_MULTIPLANAR_CHECK_EXPENSIVE
+    CGAL_assertion(std::abs(recomputed_energy() - current_energy) <= 1e-9 * std::abs(current_energy));
+#endif
+    return true;
   }
 
   double energy() const { return current_energy; }
@@ -67,42 +68,45 @@ private:
   std::vector<double> current_costs() const
   {
     std::vector<double> costs(labelling.size());
-    for (int p = 0; p < graph.nodes(); ++p) fill_block(cost, labelling[p], p, p + 1, &costs[p]);
+    for (int p = 0; p < graph.nodes(); ++p) costs[p] = cost(p, labelling[p]);
     return costs;
   }
 
-  // A node may take a label only if that costs less than its own label and all its edges together (Expansion_graph).
+  // No label that costs as much has a_p < 0 (Expansion_graph): D_p(f_p) plus the weights of the edges cut at p.
+  double bound(int p) const
+  {
+    double sum = data[p];
+    for (int a = graph.begin[p]; a < graph.begin[p + 1]; ++a)
+      if (labelling[graph.adjacent[a]] != labelling[p]) sum += graph.weight[a];
+    return sum;
+  }
+
   std::vector<double> bounds() const
   {
-    std::vector<double> result(data);
-    for (int p = 0; p < graph.nodes(); ++p) result[p] += problem.weight_sums()[p];
+    std::vector<double> result(graph.nodes());
+    for (int p = 0; p < graph.nodes(); ++p) result[p] = bound(p);
     return result;
   }
 
-  bool accept(int alpha, const std::vector<char>& ones)
+  void apply(int alpha, const std::vector<int>& ones)
   {
-    const double change = problem.energy_change(ones);
-    if (!(-change > tolerance * std::abs(current_energy + change))) {
-      if (change >= 0) expanded_at[alpha] = clock; // a fall too small is offered again, with what adds to it by then
-      return false;
+    for (int p : ones) {
+      labelling[p] = alpha;
+      data[p] = cost(p, alpha);
     }
-    for (int i = 0; i < int(problem.survivors()); ++i)
-      if (ones[i]) set_label(problem.node(i), alpha);
-    current_energy += change;
-    last_change = expanded_at[alpha] = clock;
-    CGAL_assertion(change < 0);
-#ifdef CGAL_MULTIPLANAR_CHECK_EXPENSIVE
-    CGAL_assertion(std::abs(recomputed_energy() - current_energy) <= 1e-9 * std::abs(current_energy));
-#endif
-    return true;
+    for (int p : ones) {
+      renew(p);
+      for (int a = graph.begin[p]; a < graph.begin[p + 1]; ++a) renew(graph.adjacent[a]);
+    }
+    last_change = clock;
   }
 
-  void set_label(int p, int alpha)
+  // After a change of label at p or at a neighbour of p.
+  void renew(int p)
   {
-    labelling[p] = alpha;
-    fill_block(cost, alpha, p, p + 1, &data[p]);
-    candidates.raise(p, data[p] + problem.weight_sums()[p]);
-    changed_at[p] = clock;
+    if (renewed_at[p] == clock) return;
+    renewed_at[p] = clock;
+    candidates.raise(p, bound(p));
   }
 
   const Potts_graph& graph;
@@ -110,10 +114,9 @@ private:
   std::vector<int>& labelling;
   double tolerance;
   Expansion_graph problem;
-  Minimum_cut cut;
   std::vector<double> data; // D_p(f_p)
   Label_candidates<DataCost> candidates;
-  std::vector<long long> changed_at, expanded_at; // by node, by label, on the clock of expansions
+  std::vector<long long> renewed_at, expanded_at; // by node, by label, on the clock of expansions
   long long clock = 0, last_change = 0;
   double current_energy;
   std::size_t survivor_count = 0;

@@ -61,20 +61,14 @@ inline int useful_threads(int threads, int nodes, int labels)
   return (std::max)(1, int((std::min)(double(resolved_threads(threads)), evaluations / 2e5)));
 }
 
-/// For each label the nodes whose cost of that label lies below a bound of the node, with the cost.
+/// For each label the nodes whose cost of that label lies below a bound of the node.
 ///
-/// Of all nodes x labels costs only those below the bound can matter to an expansion, so only they are kept (about one
-/// in ten). Bounds may rise later; the lists then grow, and never shrink.
+/// Of all nodes x labels costs only those below the bound can start an expansion, so only these pairs are kept. Bounds
+/// may rise later; the lists then grow, and never shrink.
 template <class DataCost>
 class Label_candidates
 {
 public:
-  struct Entry
-  {
-    int node;
-    double cost;
-  };
-
   /// Evaluates all nodes x labels costs once. The result does not depend on the number of threads.
   Label_candidates(const DataCost& cost, int labels, std::vector<double> bounds, int threads)
       : cost(cost), bounds(std::move(bounds)), lists(labels)
@@ -89,30 +83,29 @@ public:
         lists[label].insert(lists[label].end(), more[label].begin(), more[label].end());
   }
 
-  /// All nodes with a cost of `label` below their bound; the entries' costs are those of `label`.
-  const std::vector<Entry>& operator[](int label) const { return lists[label]; }
+  /// All nodes with a cost of `label` below their bound (and some whose bound has been higher than need be).
+  const std::vector<int>& operator[](int label) const { return lists[label]; }
 
   /// Raises the bound of `node` to at least `bound`. O(labels) if that changes it, else O(1).
   void raise(int node, double bound)
   {
     if (!(bound > bounds[node])) return;
     for (int label = 0; label < int(lists.size()); ++label) {
-      double c;
-      fill_block(cost, label, node, node + 1, &c);
-      if (bounds[node] <= c && c < bound) lists[label].push_back({node, c});
+      const double c = cost(node, label);
+      if (bounds[node] <= c && c < bound) lists[label].push_back(node);
     }
     bounds[node] = bound;
   }
 
 private:
-  using Lists = std::vector<std::vector<Entry>>;
+  using Lists = std::vector<std::vector<int>>;
 
   void collect(int first, int last, Lists& to) const
   {
     for_each_tile(cost, int(to.size()), first, last, [&](int label, int begin, int end, const double* costs) {
-      std::vector<Entry>& list = to[label];
+      std::vector<int>& list = to[label];
       for (int p = begin; p < end; ++p)
-        if (costs[p - begin] < bounds[p]) list.push_back({p, costs[p - begin]});
+        if (costs[p - begin] < bounds[p]) list.push_back(p);
     });
   }
 
