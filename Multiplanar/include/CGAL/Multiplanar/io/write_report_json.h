@@ -1,0 +1,154 @@
+// Copyright (c) 2026 The Multiplanar authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTIPLANAR_IO_WRITE_REPORT_JSON_H
+#define CGAL_MULTIPLANAR_IO_WRITE_REPORT_JSON_H
+
+#include <CGAL/Multiplanar/Approximation_options.h>
+#include <CGAL/Multiplanar/Model.h>
+#include <CGAL/Multiplanar/io/json_format.h>
+#include <CGAL/Multiplanar/row_packing.h>
+
+#include <map>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Multiplanar {
+
+/// What a run read.
+struct Input_counts
+{
+  int vertices = 0, faces = 0, genus = 0;
+  double diagonal = 0; ///< of the bounding box, in input units
+};
+
+/// How well the panels follow the input, in input units.
+struct Accuracy
+{
+  double hausdorff = 0;           ///< symmetric
+  double hausdorff_to_panels = 0; ///< from the input to the panels
+  double hausdorff_to_input = 0;  ///< from the panels to the input
+  double mean_distance = 0;
+  double planarity_deviation = 0;
+  bool embedded = false; ///< checked exactly
+  int iterations = 0;
+  bool converged = false;
+};
+
+/// What a run did, apart from the model itself.
+struct Report
+{
+  std::map<std::string, std::string> versions;
+  std::string command;
+  Approximation_options options; ///< meaningful if there is an accuracy
+  Input_counts input;
+  std::optional<Accuracy> accuracy;                    ///< none if only parts were made
+  std::vector<std::pair<std::string, double>> seconds; ///< by stage, in order
+  std::vector<std::string> warnings;
+};
+
+namespace internal {
+
+inline const char* to_string(Effort effort)
+{
+  return effort == Effort::fast ? "fast" : effort == Effort::best ? "best" : "normal";
+}
+
+inline const char* to_string(Solver solver)
+{
+  return solver == Solver::ceres ? "ceres" : solver == Solver::direct ? "direct" : "auto";
+}
+
+inline Json json_approximation_settings(const Approximation_options& o)
+{
+  return {{"panels", o.panels},
+          {"effort", to_string(o.effort)},
+          {"iterations", o.iterations},
+          {"seed", o.seed},
+          {"restarts", o.restarts},
+          {"threads", o.threads},
+          {"solver", to_string(o.solver)},
+          {"smoothness", o.smoothness},
+          {"saliency", !o.saliency.empty()},
+          {"saliency_weight", o.saliency_weight}};
+}
+
+/// Distances in input units and in percent of the input's diagonal.
+inline Json json_accuracy(const Accuracy& a, double diagonal)
+{
+  const double percent = diagonal > 0 ? 100 / diagonal : 0;
+  Json json = {{"hausdorff", a.hausdorff},
+               {"hausdorff_percent", a.hausdorff * percent},
+               {"hausdorff_input_to_panels", a.hausdorff_to_panels},
+               {"hausdorff_input_to_panels_percent", a.hausdorff_to_panels * percent},
+               {"hausdorff_panels_to_input", a.hausdorff_to_input},
+               {"hausdorff_panels_to_input_percent", a.hausdorff_to_input * percent},
+               {"mean_distance", a.mean_distance},
+               {"mean_distance_percent", a.mean_distance * percent},
+               {"planarity_deviation", a.planarity_deviation},
+               {"planarity_deviation_percent", a.planarity_deviation * percent},
+               {"embedded", a.embedded},
+               {"iterations", a.iterations},
+               {"converged", a.converged}};
+  if (a.embedded) json["intersections"] = 0;
+  return json;
+}
+
+/// How many edges have each kind of joint, and the unjoined ones by reason.
+inline Json json_joints(const Model& model)
+{
+  Json counts = {{"connector", 0}, {"teeth", 0}, {"none", 0}};
+  std::map<std::string, Json> unjoined;
+  for (int e = 0; e < int(model.joints.size()); ++e) {
+    const Edge_joint& joint = model.joints[e];
+    counts[Multiplanar::to_string(joint.kind)] = counts[Multiplanar::to_string(joint.kind)].get<int>() + 1;
+    if (joint.kind == Edge_joint::Kind::none) unjoined[joint.reason].push_back(edge_id(model.complex, e));
+  }
+  Json reasons = Json::array();
+  for (const auto& item : unjoined) reasons.push_back({{"reason", item.first}, {"edges", item.second}});
+  return {{"by_kind", counts}, {"unjoined", reasons}};
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgMultiplanarIO
+
+Writes what a run did as `report.json`: versions, settings, counts, seconds, accuracy, joints, parts, sheets, warnings.
+The caller checks the state of `out` afterwards.
+*/
+inline void write_report_json(std::ostream& out, const Report& report, const Model& model)
+{
+  using namespace internal;
+  Json json = {{"format", "multiplanar-report"}, {"version", 1}, {"command", report.command}};
+  json["versions"] = report.versions;
+  json["input"] = {{"file", model.input_file},
+                   {"vertices", report.input.vertices},
+                   {"faces", report.input.faces},
+                   {"genus", report.input.genus},
+                   {"diagonal", report.input.diagonal}};
+  const Model_settings& s = model.settings;
+  json["settings"] = {{"size", s.size}, {"thickness", s.thickness}, {"kerf", s.kerf}, {"fit", s.fit}};
+  if (report.accuracy) json["settings"].update(json_approximation_settings(report.options));
+  json["seconds"] = Json::object();
+  for (const auto& stage : report.seconds) json["seconds"][stage.first] = stage.second;
+  json["panels"] = model.complex.number_of_panels();
+  json["corners"] = model.complex.number_of_corners();
+  json["edges"] = model.complex.number_of_edges();
+  if (report.accuracy) json["accuracy"] = json_accuracy(*report.accuracy, report.input.diagonal);
+  json["joints"] = json_joints(model);
+  json["parts"] = model.parts.size();
+  json["sheets"] = model.sheets.size();
+  json["utilisation"] = utilisation(model.sheets, model.parts);
+  json["warnings"] = report.warnings;
+  write_json(out, json);
+}
+
+} // namespace Multiplanar
+} // namespace CGAL
+
+#endif // CGAL_MULTIPLANAR_IO_WRITE_REPORT_JSON_H

@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The Multiplanar authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef MULTIPLANAR_PROGRAM_SETTINGS_H
+#define MULTIPLANAR_PROGRAM_SETTINGS_H
+
+#include "Progress.h"
+
+#include <CGAL/Multiplanar/Approximation_options.h>
+#include <CGAL/Multiplanar/Model.h>
+
+#include <string>
+
+/// What the command line asks for.
+struct Settings
+{
+  std::string command; ///< make, approximate or fabricate
+  std::string input, output;
+  std::string saliency_file; ///< empty: none
+  CGAL::Multiplanar::Approximation_options approximation;
+  CGAL::Multiplanar::Model_settings model;
+  CGAL::Multiplanar::Sheet_options sheet;
+  bool wants_joints = true;
+  Progress::Style progress = Progress::Style::lines;
+};
+
+#endif // MULTIPLANAR_PROGRAM_SETTINGS_H

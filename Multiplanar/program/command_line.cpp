@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The Multiplanar authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "command_line.h"
+#include "check_measures.h"
+#include "failure.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <unistd.h>
+
+namespace {
+
+using CGAL::Multiplanar::Effort;
+using CGAL::Multiplanar::Solver;
+
+/// Options and commands of the documented interface that cannot do their work yet.
+const std::vector<std::string> missing_options = {"--fit",    "--material", "--palette", "--dpi",
+                                                  "--repair", "--preview",  "--source"};
+const std::map<std::string, std::string> missing_commands = {
+    {"verify", "check a written model by digital assembly (not available yet)"},
+    {"compare", "compare with other methods (not available yet)"},
+    {"preview", "pictures of a written model (not available yet)"}};
+
+/// Values that the parser holds as text until they are checked.
+struct Raw_values
+{
+  std::string effort = "normal", solver = "auto", sheet = "600x400", joints = "auto", engrave = "inside";
+  bool quiet = false, json_progress = false;
+};
+
+void add_files(CLI::App& app, Settings& s, const std::string& input, const std::string& output)
+{
+  app.add_option("INPUT", s.input, input)->required()->type_name("");
+  app.add_option("-o,--output", s.output, output)->required()->type_name("PATH");
+}
+
+void add_approximation_options(CLI::App& app, Settings& s, Raw_values& raw)
+{
+  auto& a = s.approximation;
+  app.add_option("-k,--panels", a.panels, "at most so many panels (50)")->type_name("N");
+  app.add_option("--effort", raw.effort, "fast, normal or best (normal)")->type_name("NAME");
+  app.add_option("--iterations", a.iterations, "passes of the main loop (50)")->type_name("N");
+  app.add_option("--seed", a.seed, "of all random choices (0)")->type_name("N");
+  app.add_option("--restarts", a.restarts, "seeds tried; the best result is kept (1)")->type_name("N");
+  app.add_option("--saliency", s.saliency_file, "where more panels are wanted: a value 0..1 a face, text or PLY")
+      ->type_name("FILE");
+  app.add_option("--saliency-weight", a.saliency_weight, "how much that counts (1)")->type_name("W");
+  app.add_option("--smoothness", a.smoothness, "weight of the smoothness term (0)")->type_name("W");
+  app.add_option("--solver", raw.solver, "auto, ceres or direct (auto)")->type_name("NAME");
+  for (const char* name : {"--panels", "--effort", "--iterations", "--seed", "--restarts", "--saliency",
+                           "--saliency-weight", "--smoothness", "--solver"})
+    app.get_option(name)->group("Shape");
+}
+
+void add_fabrication_options(CLI::App& app, Settings& s, Raw_values& raw)
+{
+  app.add_option("--size", s.model.size, "longest side of the finished model (300)")->type_name("MM");
+  app.add_option("--thickness", s.model.thickness, "of the material (3)")->type_name("MM");
+  app.add_option("--kerf", s.model.kerf, "full width of the cut (0.15)")->type_name("MM");
+  app.add_option("--sheet", raw.sheet, "size of the material (600x400)")->type_name("WxH");
+  app.add_option("--joints", raw.joints, "auto or none (auto)")->type_name("NAME");
+  app.add_option("--engrave", raw.engrave, "ids inside or outside of the model (inside)")->type_name("NAME");
+  for (const char* name : {"--size", "--thickness", "--kerf", "--sheet", "--joints", "--engrave"})
+    app.get_option(name)->group("Cutting");
+}
+
+void add_run_options(CLI::App& app, Settings& s, Raw_values& raw)
+{
+  app.add_option("--threads", s.approximation.threads, "0: all that the machine has (0)")->type_name("N")->group("Run");
+  app.add_flag("--quiet", raw.quiet, "print errors only")->group("Run");
+  app.add_flag("--json-progress", raw.json_progress, "progress as a JSON object a line")->group("Run");
+  for (const std::string& name : missing_options) app.add_flag(name)->group("")->expected(0, 1);
+}
+
+std::string one_line(std::string text)
+{
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text;
+}
+
+void read_sheet(const std::string& text, Settings& s)
+{
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%lfx%lf%c", &s.sheet.width, &s.sheet.height, &rest) != 2)
+    throw usage_error("--sheet " + quoted(text) + ": give width and height in mm, for instance 600x400");
+}
+
+/// What `values` says for a word.
+template <class Value>
+Value chosen(const std::string& option, const std::string& word,
+             const std::vector<std::pair<std::string, Value>>& values)
+{
+  std::string list;
+  for (const auto& v : values) {
+    if (v.first == word) return v.second;
+    list += (list.empty() ? "" : ", ") + v.first;
+  }
+  throw usage_error(option + " " + quoted(word) + ": give one of " + list);
+}
+
+Progress::Style progress_style(const Raw_values& raw)
+{
+  if (raw.quiet) return Progress::Style::quiet;
+  if (raw.json_progress) return Progress::Style::json;
+  return isatty(STDOUT_FILENO) ? Progress::Style::bar : Progress::Style::lines;
+}
+
+void read_choices(const Raw_values& raw, Settings& s)
+{
+  s.approximation.effort = chosen<Effort>("--effort", raw.effort,
+                                          {{"fast", Effort::fast}, {"normal", Effort::normal}, {"best", Effort::best}});
+  s.approximation.solver = chosen<Solver>(
+      "--solver", raw.solver, {{"auto", Solver::automatic}, {"ceres", Solver::ceres}, {"direct", Solver::direct}});
+  if (raw.joints == "connectors" || raw.joints == "teeth")
+    throw usage_error("--joints " + raw.joints + " is not available yet: leave it out");
+  s.wants_joints = chosen<bool>("--joints", raw.joints, {{"auto", true}, {"none", false}});
+  s.sheet.mirrored = chosen<bool>("--engrave", raw.engrave, {{"inside", true}, {"outside", false}});
+  s.progress = progress_style(raw);
+}
+
+/// Values that stand in several places.
+void copy_shared_values(Settings& s)
+{
+  s.sheet.kerf = s.model.kerf;
+  s.model.panels = s.approximation.panels;
+  s.model.seed = s.approximation.seed;
+}
+
+void refuse_missing(const CLI::App& command)
+{
+  if (missing_commands.count(command.get_name()) > 0)
+    throw usage_error(command.get_name() + " is not available yet: make, approximate and fabricate are");
+  for (const std::string& name : missing_options)
+    if (command.get_option_no_throw(name) != nullptr && command.count(name) > 0)
+      throw usage_error(name + " is not available yet: leave it out");
+}
+
+} // namespace
+
+std::optional<Settings> parse_command_line(int argc, char** argv)
+{
+  Settings s;
+  Raw_values raw;
+  CLI::App app("Closed 3D models as flat panels to cut and assemble.", "multiplanar");
+  app.footer("Each command tells its options: multiplanar make --help\n"
+             "Vertices and faces in messages count from 0, lines from 1.");
+  app.set_version_flag("--version", "multiplanar " MULTIPLANAR_VERSION);
+  app.require_subcommand(1);
+  app.set_help_flag("-h,--help", "this text");
+
+  CLI::App* make = app.add_subcommand("make", "everything: from a mesh (OFF, PLY, STL, OBJ) to sheets ready to cut");
+  add_files(*make, s, "mesh: OFF, PLY, STL or OBJ", "folder to write");
+  add_approximation_options(*make, s, raw);
+  add_fabrication_options(*make, s, raw);
+  CLI::App* approximate = app.add_subcommand("approximate", "the mesh made of flat panels only, as PLY");
+  add_files(*approximate, s, "mesh: OFF, PLY, STL or OBJ", "PLY file to write");
+  add_approximation_options(*approximate, s, raw);
+  CLI::App* fabricate = app.add_subcommand("fabricate", "from such a PLY to sheets ready to cut");
+  add_files(*fabricate, s, "PLY that approximate or make wrote", "folder to write");
+  add_fabrication_options(*fabricate, s, raw);
+  for (CLI::App* command : {make, approximate, fabricate}) {
+    add_run_options(*command, s, raw);
+    command->footer("");
+  }
+  for (const auto& missing : missing_commands) app.add_subcommand(missing.first, missing.second)->allow_extras();
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& done) { // help or version
+    app.exit(done);
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    throw usage_error(one_line(error.what()) + ": see multiplanar --help");
+  }
+  const CLI::App* command = app.get_subcommands().front();
+  refuse_missing(*command);
+  s.command = command->get_name();
+  read_sheet(raw.sheet, s);
+  read_choices(raw, s);
+  copy_shared_values(s);
+  check_measures(s);
+  return s;
+}

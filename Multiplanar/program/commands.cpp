@@ -1,0 +1,153 @@
+// Copyright (c) 2026 The Multiplanar authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands.h"
+#include "Input_mesh.h"
+#include "Output.h"
+#include "fabricate.h"
+#include "failure.h"
+#include "panels_of_shell.h"
+#include "read_mesh.h"
+#include "run_approximation.h"
+#include "saliency.h"
+#include "summary.h"
+
+#include <CGAL/Multiplanar/io/write_shell_ply.h>
+#include <CGAL/Multiplanar/make_panel_complex.h>
+#include <CGAL/version.h>
+
+#include <ceres/version.h>
+
+#include <chrono>
+
+using namespace CGAL::Multiplanar;
+
+namespace {
+
+/// What all commands share: the clock, and the report that grows from step to step.
+class Run
+{
+public:
+  Run(const Settings& settings, Progress& progress) : settings(settings), progress(progress)
+  {
+    report.command = settings.command;
+    report.options = settings.approximation;
+    report.versions = {{"multiplanar", MULTIPLANAR_VERSION},
+                       {"CGAL", CGAL_VERSION_STR},
+                       {"Ceres", CERES_VERSION_STRING},
+                       {"compiler", __VERSION__}};
+  }
+
+  Input_mesh read(const std::vector<std::string>& face_properties)
+  {
+    progress.update("read", 0);
+    Polygon_soup soup = read_mesh(settings.input, face_properties);
+    progress.update("read", 0.3);
+    Input_mesh mesh = make_input_mesh(std::move(soup), settings.input);
+    progress.finish();
+    report.input = {mesh.connectivity.number_of_vertices(), mesh.connectivity.number_of_faces(),
+                    mesh.connectivity.genus(), mesh.diagonal};
+    warn(mesh.notes);
+    report.seconds = progress.seconds();
+    return mesh;
+  }
+
+  Approximation_result approximate(const Input_mesh& mesh)
+  {
+    Approximation_options options = settings.approximation;
+    check_number_of_panels(mesh, options.panels);
+    if (!settings.saliency_file.empty()) options.saliency = read_saliency(settings.saliency_file, mesh);
+    report.options = options;
+    Approximation_result result = run_approximation(mesh, options, progress);
+    report.accuracy = accuracy_of(result);
+    report.seconds.insert(report.seconds.end(), result.seconds.begin(), result.seconds.end());
+    warn(result.notes);
+    return result;
+  }
+
+  Model make_parts(const Panel_complex& complex)
+  {
+    progress.update("fabricate", 0);
+    Model model = make_model(complex, settings, report.warnings);
+    progress.finish();
+    report.seconds.push_back(progress.seconds().back());
+    return model;
+  }
+
+  void write_shell(Output& output, const std::string& name, const Input_mesh& mesh, const Points& points,
+                   const std::vector<int>& panel_of_face)
+  {
+    output.write(name, [&](std::ostream& out) {
+      write_shell_ply(out, points, mesh.connectivity.triangles, panel_of_face, {"multiplanar " MULTIPLANAR_VERSION});
+    });
+  }
+
+  void write_folder(Output& output, const Model& model, const Input_mesh& mesh, const Points& points,
+                    const std::vector<int>& panel_of_face)
+  {
+    progress.update("write", 0);
+    write_shell(output, "shell.ply", mesh, points, panel_of_face);
+    write_model(output, model, report);
+    output.commit();
+    progress.finish();
+  }
+
+  void summarize(const Model& model, const std::string& look_at) const
+  {
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    print_summary(report, model, seconds, settings.output, look_at, settings.progress);
+  }
+
+  std::string first_sheet() const { return settings.output + "/" + sheet_file(0, "svg"); }
+
+private:
+  void warn(const std::vector<std::string>& lines)
+  {
+    report.warnings.insert(report.warnings.end(), lines.begin(), lines.end());
+  }
+
+  const Settings& settings;
+  Progress& progress;
+  Report report;
+  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+};
+
+} // namespace
+
+void make(const Settings& settings, Progress& progress)
+{
+  Run run(settings, progress);
+  Output output(Output::Kind::folder, settings.output);
+  const Input_mesh mesh = run.read({});
+  const Approximation_result result = run.approximate(mesh);
+  const Model model = run.make_parts(result.complex);
+  run.write_folder(output, model, mesh, result.points, result.panel_of_face);
+  run.summarize(model, run.first_sheet());
+}
+
+void approximate(const Settings& settings, Progress& progress)
+{
+  Run run(settings, progress);
+  Output output(Output::Kind::file, settings.output);
+  const Input_mesh mesh = run.read({});
+  const Approximation_result result = run.approximate(mesh);
+  run.write_shell(output, "", mesh, result.points, result.panel_of_face);
+  output.commit();
+  Model model;
+  model.complex = result.complex;
+  run.summarize(model, settings.output);
+}
+
+void fabricate(const Settings& given, Progress& progress)
+{
+  Settings settings = given;
+  Run run(settings, progress);
+  Output output(Output::Kind::folder, settings.output);
+  const Input_mesh mesh = run.read({"panel"});
+  const std::vector<int> panel_of_face = panels_of_shell(mesh);
+  const Panel_complex complex = complex_of_shell(mesh, panel_of_face);
+  settings.model.panels = complex.number_of_panels();
+  const Model model = run.make_parts(complex);
+  run.write_folder(output, model, mesh, mesh.points, panel_of_face);
+  run.summarize(model, run.first_sheet());
+}

@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Multiplanar authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "fabricate.h"
+#include "failure.h"
+
+#include <CGAL/Multiplanar/Sheet_drawing.h>
+#include <CGAL/Multiplanar/engrave_ids.h>
+#include <CGAL/Multiplanar/io/write_model_json.h>
+#include <CGAL/Multiplanar/io/write_panels_obj.h>
+#include <CGAL/Multiplanar/io/write_svg.h>
+#include <CGAL/Multiplanar/parts_from_panels.h>
+#include <CGAL/Multiplanar/row_packing.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+using namespace CGAL::Multiplanar;
+
+namespace {
+
+constexpr double largest_letter = 8, smallest_letter = 1.5; // mm
+
+std::vector<Sheet> pack(const std::vector<Part>& parts, const Settings& s)
+{
+  try {
+    return pack_in_rows(parts, s.sheet);
+  } catch (const Part_too_large& error) {
+    char text[256];
+    std::snprintf(text, sizeof text,
+                  "%s: part %s is %.1f x %.1f mm and does not fit a sheet of %g x %g mm: the largest --size that fits "
+                  "is %g",
+                  s.input.c_str(), error.id.c_str(), error.width, error.height, s.sheet.width, s.sheet.height,
+                  std::floor(error.factor * s.model.size * 10 * (1 - 1e-9)) / 10);
+    throw input_error(text);
+  }
+}
+
+void warn_of_blank_parts(const std::vector<std::string>& blank, std::vector<std::string>& warnings)
+{
+  if (blank.empty()) return;
+  std::string list;
+  for (const std::string& id : blank) list += " " + id;
+  warnings.push_back("too small for an engraved id:" + list);
+}
+
+} // namespace
+
+Model make_model(const Panel_complex& complex, const Settings& s, std::vector<std::string>& warnings)
+{
+  Model model;
+  model.input_file = std::filesystem::path(s.input).filename().string();
+  model.settings = s.model;
+  model.scale = s.model.size / longest_side(complex);
+  model.complex = scaled(complex, model.scale);
+  Edge_joint none;
+  none.reason = s.wants_joints ? "connectors and teeth are not available yet" : "no joints were asked for";
+  model.joints.assign(model.complex.number_of_edges(), none);
+  model.parts = parts_from_panels(model.complex, warnings);
+  model.sheets = pack(model.parts, s);
+  warn_of_blank_parts(engrave_ids(model.parts, model.sheets, smallest_letter, largest_letter), warnings);
+  return model;
+}
+
+void write_model(Output& output, const Model& model, Report& report)
+{
+  for (int i = 0; i < int(model.sheets.size()); ++i) {
+    const Sheet_drawing drawing = draw_sheet(model.sheets[i], model.parts, model.settings.kerf);
+    report.warnings.insert(report.warnings.end(), drawing.warnings.begin(), drawing.warnings.end());
+    output.write(sheet_file(i, "svg"), [&](std::ostream& out) { write_svg(out, drawing); });
+  }
+  output.write("panels.obj", [&](std::ostream& out) { write_panels_obj(out, model.complex); });
+  output.write("model.json", [&](std::ostream& out) { write_model_json(out, model); });
+  output.write("report.json", [&](std::ostream& out) { write_report_json(out, report, model); });
+}

@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Multiplanar authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "summary.h"
+
+#include <cstdio>
+
+using namespace CGAL::Multiplanar;
+
+namespace {
+
+double percent_of_diagonal(const Report& report, double distance)
+{
+  return report.input.diagonal > 0 ? 100 * distance / report.input.diagonal : 0;
+}
+
+void print_words(const Report& report, const Model& model, double seconds, const std::string& output,
+                 const std::string& look_at)
+{
+  std::printf("%d panels, %d corners, %d edges\n", model.complex.number_of_panels(), model.complex.number_of_corners(),
+              model.complex.number_of_edges());
+  if (report.accuracy)
+    std::printf("Hausdorff distance to the input: %.2f %% of its diagonal\n",
+                percent_of_diagonal(report, report.accuracy->hausdorff));
+  if (!model.sheets.empty())
+    std::printf("%zu parts on %zu sheets of %g x %g mm, %.0f %% used\n", model.parts.size(), model.sheets.size(),
+                model.sheets[0].width, model.sheets[0].height, 100 * utilisation(model.sheets, model.parts));
+  for (const std::string& warning : report.warnings) std::printf("warning: %s\n", warning.c_str());
+  std::printf("%.1f s\n", seconds);
+  std::printf("written: %s\n", output.c_str());
+  if (look_at != output) std::printf("look at: %s\n", look_at.c_str());
+}
+
+void print_json(const Report& report, const Model& model, double seconds, const std::string& output,
+                const std::string& look_at)
+{
+  internal::Json json = {{"event", "done"},
+                         {"panels", model.complex.number_of_panels()},
+                         {"corners", model.complex.number_of_corners()},
+                         {"edges", model.complex.number_of_edges()}};
+  if (report.accuracy) json["hausdorff_percent"] = percent_of_diagonal(report, report.accuracy->hausdorff);
+  json["sheets"] = model.sheets.size();
+  json["warnings"] = report.warnings;
+  json["seconds"] = seconds;
+  json["output"] = output;
+  json["look_at"] = look_at;
+  std::printf("%s\n", internal::one_line(json).c_str());
+}
+
+} // namespace
+
+void print_summary(const Report& report, const Model& model, double seconds, const std::string& output,
+                   const std::string& look_at, Progress::Style style)
+{
+  if (style == Progress::Style::quiet) return;
+  (style == Progress::Style::json ? print_json : print_words)(report, model, seconds, output, look_at);
+}
