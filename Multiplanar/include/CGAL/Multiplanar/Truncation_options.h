@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The Multiplanar authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTIPLANAR_TRUNCATION_OPTIONS_H
+#define CGAL_MULTIPLANAR_TRUNCATION_OPTIONS_H
+
+#include <CGAL/Multiplanar/Part.h>
+#include <CGAL/Multiplanar/internal/Flat_polygon.h>
+
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Multiplanar {
+
+/// \ingroup PkgMultiplanarParts
+struct Truncation_options
+{
+  double thickness = 3; ///< of the sheet, in mm
+  double approach =
+      -1; ///< way in mm over which a panel must go on along its normal unhindered; negative: thickness + 1
+  double thinnest = 0.5; ///< pieces narrower than this (twice area over perimeter, mm) burn away: they are dropped
+  double smallest = -1;  ///< pieces of less area, in mm^2, are dropped; negative: thickness squared
+
+  double approach_length() const { return approach < 0 ? thickness + 1 : approach; }
+  double smallest_area() const { return smallest < 0 ? thickness * thickness : smallest; }
+};
+
+/// What truncation left of one panel.
+struct Truncated_panel
+{
+  Frame frame;                      ///< of the outer surface
+  std::vector<Flat_polygon> pieces; ///< largest first; none if the panel vanished
+  double dropped_area = 0;          ///< of more pieces, too small to be cut, in mm^2
+};
+
+/// \ingroup PkgMultiplanarParts
+struct Truncation
+{
+  std::vector<Truncated_panel> panels; ///< as the panels of the complex
+  /// The panels from the one that never gives way to the one that always does.
+  std::vector<int> order;
+  /// Pairs {first, later}: panel `later` was cut free so that it can go on along its normal with `first` in place.
+  /// The other way round it would not pass.
+  std::vector<std::array<int, 2>> overhangs;
+  /// Pairs of which neither can go on along its normal when the other is in place, over the length asked for: cutting
+  /// them free would have cost too much.
+  std::vector<std::array<int, 2>> blocked;
+  std::vector<std::string> warnings; ///< a sentence each: what fell apart or vanished, and what to change
+};
+
+} // namespace Multiplanar
+} // namespace CGAL
+
+#endif // CGAL_MULTIPLANAR_TRUNCATION_OPTIONS_H

@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Multiplanar authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTIPLANAR_INTERNAL_TRUNCATION_WARNINGS_H
+#define CGAL_MULTIPLANAR_INTERNAL_TRUNCATION_WARNINGS_H
+
+#include <CGAL/Multiplanar/Truncation_options.h>
+#include <CGAL/Multiplanar/internal/panel_frames.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+namespace CGAL {
+namespace Multiplanar {
+
+/// "P07", or "P07a", "P07b", ... if the panel fell apart into several pieces.
+inline std::string piece_id(int panel, int count, std::size_t piece, std::size_t pieces)
+{
+  std::string id = panel_id(panel, count);
+  if (pieces < 2) return id;
+  std::string letters; // a .. z, aa, ab, ...
+  for (std::size_t i = piece + 1; i > 0; i = (i - 1) / 26) letters.insert(letters.begin(), char('a' + (i - 1) % 26));
+  return id + letters;
+}
+
+namespace internal {
+
+/// Twice the area over the perimeter: the width of a long strip.
+inline double strip_width(const Flat_polygon& polygon)
+{
+  double perimeter = 0;
+  for_each_side(polygon,
+                [&](const Point_2& a, const Point_2& b) { perimeter += std::sqrt(CGAL::squared_distance(a, b)); });
+  return perimeter > 0 ? 2 * polygon.area() / perimeter : 0;
+}
+
+/// Sorts the pieces by area, largest first, and drops those too small to be cut. Crumbs are ordinary waste: wherever
+/// three panels meet at obtuse angles, the one that gives way is left with one between the other two.
+inline void drop_small_pieces(const Truncation_options& options, Truncated_panel& panel)
+{
+  auto& pieces = panel.pieces;
+  const auto too_small = [&](const Flat_polygon& piece) {
+    return piece.area() < options.smallest_area() || strip_width(piece) < options.thinnest;
+  };
+  const auto kept =
+      std::stable_partition(pieces.begin(), pieces.end(), [&](const Flat_polygon& p) { return !too_small(p); });
+  for (auto piece = kept; piece != pieces.end(); ++piece) panel.dropped_area += piece->area();
+  pieces.erase(kept, pieces.end());
+  std::stable_sort(pieces.begin(), pieces.end(),
+                   [](const Flat_polygon& a, const Flat_polygon& b) { return a.area() > b.area(); });
+}
+
+inline std::string in_mm(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+/// What a user must hear about panel `p`, if anything.
+inline void warn_about_panel(const Panel_complex& complex, const Truncation_options& options, int p, Truncation& result)
+{
+  const Truncated_panel& panel = result.panels[p];
+  const int n = complex.number_of_panels();
+  const std::string id = panel_id(p, n), t = in_mm(options.thickness) + " mm";
+  const std::string advice = ": use a larger size, a thinner sheet or fewer panels";
+  if (panel.pieces.empty()) {
+    result.warnings.push_back(id + " (" + in_mm(complex.area(p)) + " mm2) vanishes: at a thickness of " + t +
+                              " its neighbours take all of its room" + advice);
+    return;
+  }
+  if (panel.pieces.size() > 1) {
+    std::string names;
+    for (std::size_t i = 0; i < panel.pieces.size(); ++i)
+      names += (i ? ", " : "") + piece_id(p, n, i, panel.pieces.size());
+    result.warnings.push_back(id + " falls apart into " + std::to_string(panel.pieces.size()) + " pieces (" + names +
+                              ") at a thickness of " + t + advice + " to keep it whole");
+  }
+  if (panel.dropped_area > (std::max)(options.smallest_area(), complex.area(p) / 20))
+    result.warnings.push_back(id + " loses " + in_mm(panel.dropped_area) + " of " + in_mm(complex.area(p)) +
+                              " mm2 in pieces too small to be cut (under " + in_mm(options.smallest_area()) +
+                              " mm2 or " + in_mm(options.thinnest) + " mm wide)" + advice + " to keep them");
+}
+
+} // namespace internal
+} // namespace Multiplanar
+} // namespace CGAL
+
+#endif // CGAL_MULTIPLANAR_INTERNAL_TRUNCATION_WARNINGS_H
