@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -40,7 +41,10 @@ public:
     build_swept_tree(tree_, boxes_);
     candidates_ = 0;
     pairs_.clear();
-    for (int f = 0; f < connectivity.number_of_faces(); ++f)
+    // In the order of the tree: faces that are asked for in turn are near each other in space, and in the cache.
+    order_.clear();
+    tree_.all_intersected_primitives(tree_.bbox(), std::back_inserter(order_));
+    for (int f : order_)
       if (is_moving_[f]) find_partners(connectivity, from, to, f);
     sort_by_face(connectivity.number_of_faces());
   }
@@ -138,6 +142,7 @@ private:
   std::vector<Normal_cone> normals_;
   double slack_ = 0;
   Swept_aabb_tree tree_;
+  std::vector<int> order_; // all faces
   std::size_t candidates_ = 0;
   std::vector<std::pair<int, int>> pairs_;
   std::vector<std::size_t>
