@@ -10,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -29,10 +30,20 @@ void remove_whole(const std::string& path)
   }
 }
 
-[[noreturn]] void wait_for_signal(sigset_t signals)
+int signal_pipe[2];
+
+/// Runs on any thread, libraries' own ones included: all that is allowed here is to pass the number on.
+void on_signal(int signal)
 {
-  int signal = SIGTERM;
-  while (sigwait(&signals, &signal) != 0) {
+  const char number = char(signal);
+  const ssize_t written = write(signal_pipe[1], &number, 1);
+  (void)written;
+}
+
+[[noreturn]] void wait_for_signal()
+{
+  char signal = SIGTERM;
+  while (read(signal_pipe[0], &signal, 1) != 1) {
   }
   const std::lock_guard<std::mutex> lock(mutex);
   interrupted = true;
@@ -46,18 +57,18 @@ void remove_whole(const std::string& path)
 
 void watch_for_interruption()
 {
-  sigset_t signals;
-  sigemptyset(&signals);
+  if (pipe2(signal_pipe, O_CLOEXEC) != 0) return; // without it a signal ends the program as usual
   for (int s : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction action;
     sigaction(s, nullptr, &action);
     if (s == SIGHUP && action.sa_handler == SIG_IGN) continue; // started under nohup
-    signal(s, SIG_DFL);
-    sigaddset(&signals, s);
+    action = {};
+    action.sa_handler = on_signal;
+    action.sa_flags = SA_RESTART;
+    sigaction(s, &action, nullptr);
   }
   signal(SIGPIPE, SIG_IGN); // a reader of our progress that goes away is no reason to stop
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  std::thread(wait_for_signal, signals).detach();
+  std::thread(wait_for_signal).detach();
 }
 
 std::mutex& output_mutex() { return mutex; }

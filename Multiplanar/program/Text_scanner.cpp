@@ -22,7 +22,8 @@ void Text_scanner::skip_line()
 
 bool Text_scanner::next_line()
 {
-  skip_line();
+  if (begun) skip_line();
+  begun = true;
   for (;;) {
     skip_space();
     if (!at_line_end()) return true;

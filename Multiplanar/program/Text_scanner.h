@@ -44,6 +44,7 @@ private:
   std::string name;
   std::size_t position = 0;
   int line_number = 1;
+  bool begun = false; ///< stands in a line; before the first call of next_line() it stands in front of all
 };
 
 #endif // MULTIPLANAR_PROGRAM_TEXT_SCANNER_H

@@ -4,10 +4,12 @@
 #include "command_line.h"
 #include "check_measures.h"
 #include "failure.h"
+#include "number_parsing.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <map>
 #include <utility>
@@ -31,7 +33,7 @@ const std::map<std::string, std::string> missing_commands = {
 /// Values that the parser holds as text until they are checked.
 struct Raw_values
 {
-  std::string effort = "normal", solver = "auto", sheet = "600x400", joints = "auto", engrave = "inside";
+  std::string seed = "0", effort = "normal", solver = "auto", sheet = "600x400", joints = "auto", engrave = "inside";
   bool quiet = false, json_progress = false;
 };
 
@@ -47,7 +49,7 @@ void add_approximation_options(CLI::App& app, Settings& s, Raw_values& raw)
   app.add_option("-k,--panels", a.panels, "at most so many panels (50)")->type_name("N");
   app.add_option("--effort", raw.effort, "fast, normal or best (normal)")->type_name("NAME");
   app.add_option("--iterations", a.iterations, "passes of the main loop (50)")->type_name("N");
-  app.add_option("--seed", a.seed, "of all random choices (0)")->type_name("N");
+  app.add_option("--seed", raw.seed, "of all random choices (0)")->type_name("N");
   app.add_option("--restarts", a.restarts, "seeds tried; the best result is kept (1)")->type_name("N");
   app.add_option("--saliency", s.saliency_file, "where more panels are wanted: a value 0..1 a face, text or PLY")
       ->type_name("FILE");
@@ -113,8 +115,18 @@ Progress::Style progress_style(const Raw_values& raw)
   return isatty(STDOUT_FILENO) ? Progress::Style::bar : Progress::Style::lines;
 }
 
+/// Not left to the parser: it takes -1 for 2^64 - 1.
+std::uint64_t read_seed(const std::string& text)
+{
+  long long seed = 0;
+  if (!parse_integer(text, seed) || seed < 0)
+    throw usage_error("--seed " + quoted(text) + ": give a whole number from 0 to 9223372036854775807");
+  return std::uint64_t(seed);
+}
+
 void read_choices(const Raw_values& raw, Settings& s)
 {
+  s.approximation.seed = read_seed(raw.seed);
   s.approximation.effort = chosen<Effort>("--effort", raw.effort,
                                           {{"fast", Effort::fast}, {"normal", Effort::normal}, {"best", Effort::best}});
   s.approximation.solver = chosen<Solver>(

@@ -84,12 +84,13 @@ inline Label_cell deepest_point(const Label_region& region)
 /*!
 \ingroup PkgMultiplanarSheets
 
-The largest place for `text` inside a part, at one of twelve angles: turned by the angle and squeezed along the base
-line, the box of the text is a square, and the largest circle holds the largest square well enough. Horizontal text is
-preferred as soon as it can be `largest` high.
+A good place for `text` inside a part, at one of thirteen angles within 90 degrees of `upright`: turned by the angle and
+squeezed along the base line, the box of the text is a square, and the largest circle holds the largest square well
+enough. Text leans away from upright only where it gets higher by a tenth for every 15 degrees.
 
 \return the engraving; its height is at most `largest`, and as small as the part demands: the caller decides what is
-legible \pre the outline is simple
+        legible
+\pre the outline is simple
 */
 inline Engraving place_label(const std::string& text, const Outline& outline, const std::vector<Outline>& holes,
                              double largest, double upright = 0)
@@ -98,8 +99,11 @@ inline Engraving place_label(const std::string& text, const Outline& outline, co
   const double aspect = (std::max)(text_width(text), 0.1);
   Engraving best;
   best.text = text;
-  for (int i = 0; i < 13 && best.height < largest; ++i) {
-    const double degrees = upright + (i % 2 ? 15 : -15) * ((i + 1) / 2); // 0, 15, -15, 30, ... from upright
+  for (int i = 0; i < 13; ++i) {
+    const int steps = (i + 1) / 2;
+    const double required = best.height * (1 + 0.1 * steps);
+    if (i > 0 && required >= largest) break;
+    const double degrees = upright + (i % 2 ? 15 : -15) * steps; // 0, 15, -15, 30, ... from upright
     const double a = degrees * 3.14159265358979323846 / 180, c = std::cos(a), s = std::sin(a);
     internal::Label_region region;
     region.loops.push_back(outline);
@@ -108,7 +112,7 @@ inline Engraving place_label(const std::string& text, const Outline& outline, co
       for (Point_2& p : loop) p = Point_2((c * p.x() + s * p.y()) / aspect, c * p.y() - s * p.x());
     const internal::Label_cell place = internal::deepest_point(region);
     const double height = (std::min)(largest, place.depth * std::sqrt(2.) / free_margin);
-    if (height <= best.height) continue;
+    if (height <= required) continue;
     best.at = Point_2(c * place.x * aspect - s * place.y, s * place.x * aspect + c * place.y);
     best.angle = degrees;
     best.height = height;
