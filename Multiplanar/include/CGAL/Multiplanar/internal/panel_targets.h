@@ -10,6 +10,7 @@
 
 #include <Eigen/Geometry>
 
+#include <map>
 #include <vector>
 
 // Where the vertices of the mesh go once the polygons are known: corners onto corners, the vertices of a chain along the
@@ -56,6 +57,12 @@ inline void place_chain(const std::vector<int>& chain, const Points& shape, cons
   }
 }
 
+/// The doubled area that a face of panel `p` must exceed in its polygon to count as positive: what rounding cannot undo.
+inline double least_doubled_area(const Panel_complex& complex, int p)
+{
+  return 1e-7 * complex.area(p) / double(complex.panels[p].faces.size());
+}
+
 /// Maps the faces of one panel into its polygon. Positions of boundary vertices are read from `targets`, those of inner
 /// vertices written there.
 /// \return whether every triangle came out positive
@@ -89,8 +96,7 @@ inline bool place_panel(const Connectivity& c, const Points& shape, const std::v
     flat[i] = frame.flat(to_eigen(fixed[i] ? targets[global[i]] : shape[global[i]]));
     local[global[i]] = -1;
   }
-  const double area = complex.area(p);
-  const bool ok = injective_map(triangles, form, fixed, area, 1e-7 * area / double(triangles.size()), flat);
+  const bool ok = injective_map(triangles, form, fixed, complex.area(p), least_doubled_area(complex, p), flat);
   for (std::size_t i = 0; i < global.size(); ++i)
     if (!fixed[i]) targets[global[i]] = to_point(frame.lifted(flat[i]));
   return ok;

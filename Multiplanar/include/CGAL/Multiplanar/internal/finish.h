@@ -1,0 +1,188 @@
+// Copyright (c) 2026 The Multiplanar authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTIPLANAR_INTERNAL_FINISH_H
+#define CGAL_MULTIPLANAR_INTERNAL_FINISH_H
+
+#include <CGAL/Multiplanar/flat_panels.h>
+#include <CGAL/Multiplanar/label_costs.h>
+#include <CGAL/Multiplanar/panel_complex_problems.h>
+#include <CGAL/Multiplanar/panel_partition.h>
+#include <CGAL/Multiplanar/internal/Stopwatch.h>
+#include <CGAL/Multiplanar/internal/Unit_frame.h>
+#include <CGAL/Multiplanar/internal/embedding.h>
+#include <CGAL/Multiplanar/internal/follow_panels.h>
+#include <CGAL/Multiplanar/internal/map_to_panels.h>
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+// The last part of an approximation: exactly flat polygons, the mesh mapped into them, and the mesh moved there by guarded
+// motion. What stands in the way costs accuracy, never a promise: panels that the mesh cannot be mapped into, or cannot
+// reach, are merged with a neighbour, and the work is done again with one panel less.
+
+namespace CGAL {
+namespace Multiplanar {
+namespace internal {
+
+/// The fewest panels that a closed surface of this genus is asked to consist of.
+inline int fewest_panels(int genus) { return 4 + 3 * genus; }
+
+/// Flat polygons and the mesh in them.
+struct Finished_surface
+{
+  Flat_panels_result flat;
+  Points points;
+  std::vector<int> blocked; ///< panels where the mesh did not arrive, most troubled first; empty if all is well
+};
+
+/// The panels around the vertices that are not at their targets, those with most of them first.
+inline std::vector<int> panels_around(const Connectivity& c, const std::vector<int>& labels,
+                                      const std::vector<int>& vertices)
+{
+  std::map<int, int> count;
+  for (int v : vertices)
+    for (int f : c.star(v)) ++count[labels[f]];
+  std::vector<std::pair<int, int>> order;
+  for (const auto& p : count) order.emplace_back(-p.second, p.first);
+  std::sort(order.begin(), order.end());
+  std::vector<int> panels;
+  for (const auto& p : order) panels.push_back(p.second);
+  return panels;
+}
+
+/// Maps the mesh into the polygons of `flat` and moves it there from the source.
+inline Finished_surface move_to_panels(const Connectivity& c, const Points& source, Flat_panels_result flat,
+                                       Stopwatch& clock)
+{
+  Finished_surface done;
+  Panel_mapping mapping(c, source, std::move(flat.panel_of_face), std::move(flat.complex));
+  {
+    const Stopwatch::Lap lap(clock, "mapping");
+    mapping.repair();
+  }
+  flat.panel_of_face = mapping.labels();
+  flat.complex = mapping.complex();
+  done.points = source;
+  if (mapping.failed().empty()) {
+    const Stopwatch::Lap lap(clock, "motion to the panels");
+    Guarded_motion guard(c);
+    follow(c, guard, mapping.targets(), 20, 40, done.points);
+    done.blocked = panels_around(c, flat.panel_of_face, vertices_away(done.points, mapping.targets()));
+  } else {
+    done.blocked = mapping.failed();
+  }
+  done.flat = std::move(flat);
+  return done;
+}
+
+/// The labels with panel `p` given to the neighbour that it costs least to be merged with, if the result can be flat.
+/// \return false if no neighbour will do
+inline bool merge_panel(const Connectivity& c, const Points& source, const Label_costs& costs, int p,
+                        std::vector<int>& labels)
+{
+  const int panels = *std::max_element(labels.begin(), labels.end()) + 1;
+  const Panel_complex complex = make_panel_complex(c, source, labels, panels);
+  std::vector<std::pair<double, int>> order;
+  for (int q : complex.neighbours(p)) {
+    std::vector<int> both = complex.panels[p].faces;
+    both.insert(both.end(), complex.panels[q].faces.begin(), complex.panels[q].faces.end());
+    double cost = 0;
+    const Plane plane = mean_plane(c, source, both);
+    for (int f : both) cost += costs.data_cost(f, plane);
+    for (int r : {p, q})
+      for (int f : complex.panels[r].faces) cost -= costs.data_cost(f, complex.panels[r].plane);
+    order.emplace_back(cost, q);
+  }
+  std::sort(order.begin(), order.end());
+  for (const auto& candidate : order) {
+    std::vector<int> merged = labels;
+    for (int& l : merged) {
+      if (l == p) l = candidate.second;
+      if (l == panels - 1 && p != panels - 1) l = p; // the last label takes the free number
+    }
+    if (!panel_complex_problems(make_panel_complex(c, source, merged, panels - 1)).empty()) continue;
+    labels = merged;
+    return true;
+  }
+  return false;
+}
+
+/// Polygons from the partitions, or from coarser ones if those cannot be made flat.
+inline Flat_panels_result flat_panels_or_fewer(const Connectivity& c, const Points& source, const Label_costs& costs,
+                                               const std::vector<std::vector<int>>& partitions,
+                                               Flat_panels_options options, int fewest, Approximation_visitor& visitor,
+                                               std::vector<std::string>& notes)
+{
+  const auto progress = [&](double done) { return visitor.progress("flat panels", done); };
+  Flat_panels_result flat = flat_panels(c, source, partitions, options, progress);
+  options.effort = Effort::fast;
+  for (int k = options.max_panels; !flat.ok && k > fewest;) {
+    k = (std::max)(fewest, k - (std::max)(1, k / 10));
+    notes.push_back("no flat panels were found with more than " + std::to_string(k) + " of them");
+    options.max_panels = k;
+    ++options.seed;
+    Panel_partition_options coarser;
+    coarser.max_panels = k;
+    std::vector<std::vector<int>> fewer;
+    for (std::vector<int> labels : partitions)
+      if (make_panels(c, source, costs, labels, coarser).ok) fewer.push_back(labels);
+    flat = flat_panels(c, source, fewer, options, progress);
+  }
+  if (!flat.ok) throw std::runtime_error("no flat panels were found for this model");
+  return flat;
+}
+
+/// Completes `result` from the labellings in `partitions`.
+/// \throws std::runtime_error if no flat panels exist that the mesh can be moved to; not seen on closed embedded meshes
+inline void finish(const Connectivity& c, const Points& source, const std::vector<std::vector<int>>& partitions,
+                   const Approximation_options& options, Approximation_visitor& visitor, Approximation_result& result)
+{
+  Stopwatch clock;
+  Flat_panels_options flat_options;
+  flat_options.max_panels = options.panels;
+  flat_options.effort = options.effort;
+  flat_options.threads = options.threads;
+  flat_options.seed = options.seed;
+  const Unit_frame frame(source);
+  const Points unit = frame.to_unit(source);
+  const Label_costs costs(c, unit);
+
+  Flat_panels_result flat;
+  {
+    const Stopwatch::Lap lap(clock, "flat panels");
+    flat = flat_panels_or_fewer(c, source, costs, partitions, flat_options, fewest_panels(c.genus()), visitor,
+                                result.notes);
+  }
+  Finished_surface done = move_to_panels(c, source, flat, clock);
+  flat_options.effort = Effort::fast;
+  for (int merges = 0; !done.blocked.empty(); ++merges) {
+    std::vector<int> labels = done.flat.panel_of_face;
+    bool merged = false;
+    for (std::size_t i = 0; i < done.blocked.size() && !merged; ++i)
+      merged = merge_panel(c, source, costs, done.blocked[i], labels);
+    if (!merged) throw std::runtime_error("the mesh cannot be moved to flat panels without intersecting itself");
+    result.notes.push_back("a panel of " + std::to_string(done.flat.complex.number_of_panels()) +
+                           " was merged with a neighbour: the mesh could not be moved there");
+    const Stopwatch::Lap lap(clock, "flat panels");
+    flat_options.max_panels = done.flat.complex.number_of_panels() - 1;
+    flat = flat_panels_or_fewer(c, source, costs, {labels}, flat_options, fewest_panels(c.genus()), visitor,
+                                result.notes);
+    done = move_to_panels(c, source, flat, clock);
+  }
+  result.points = std::move(done.points);
+  result.panel_of_face = std::move(done.flat.panel_of_face);
+  result.complex = std::move(done.flat.complex);
+  result.notes.insert(result.notes.end(), done.flat.notes.begin(), done.flat.notes.end());
+  for (const auto& stage : clock.seconds()) result.seconds[stage.first] += stage.second;
+}
+
+} // namespace internal
+} // namespace Multiplanar
+} // namespace CGAL
+
+#endif // CGAL_MULTIPLANAR_INTERNAL_FINISH_H
