@@ -78,6 +78,10 @@ public:
   Point_3 centroid(int face) const { return Point_3(face_data[face].cx, face_data[face].cy, face_data[face].cz); }
   const Labelling_weights& weights() const { return label_weights; }
 
+  /// How dense labels should be seeded at a face, relative to a face with w_t = 0: 4 / (4 + w_t), in (0, 1]. That is
+  /// what a boundary between faces of equal normals costs without saliency weights, against what it costs with (eq. 4).
+  double seed_density(int face) const { return saliency.empty() ? 1 : 4 / (4 + saliency[face]); }
+
   /// The plane of face p: n_p, and d = c_p . n_p.
   Plane plane_of(int face) const
   {
