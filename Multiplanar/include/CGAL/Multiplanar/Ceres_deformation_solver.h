@@ -6,6 +6,7 @@
 
 #include <CGAL/Multiplanar/Deformation_weights.h>
 #include <CGAL/Multiplanar/internal/deformation_terms.h>
+#include <CGAL/Multiplanar/internal/elimination_order.h>
 #include <CGAL/Multiplanar/internal/serial_libraries.h>
 
 #include <ceres/ceres.h>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <thread>
 #include <vector>
 
 namespace CGAL {
@@ -151,14 +153,16 @@ public:
   {
     add_triangles();
     add_vertices();
+    set_elimination_groups();
   }
 
   /// \copydoc MultiplanarDeformationSolver::solve()
   bool solve(const Points& current, const std::vector<int>& labels, const std::vector<Vector_3>& normals, double w_p,
              const std::vector<double>& similarity_scale, Points& target)
   {
+    target = current;
+    if (!state_->terms.update(current, labels, normals, w_p, similarity_scale)) return false;
     std::vector<double>&x = state_->x, &previous = state_->previous;
-    state_->terms.update(current, labels, normals, w_p, similarity_scale);
     for (std::size_t v = 0; v < current.size(); ++v)
       for (int d = 0; d < 3; ++d) x[3 * v + d] = previous[3 * v + d] = current[v][d];
 
@@ -167,7 +171,6 @@ public:
       internal::Serial_libraries serial;
       ceres::Solve(options_, problem_.get(), &summary);
     }
-    target = current;
     if (!is_solved(summary, w_p)) return false;
     for (std::size_t v = 0; v < current.size(); ++v) target[v] = Point_3(x[3 * v], x[3 * v + 1], x[3 * v + 2]);
     return true;
@@ -191,7 +194,8 @@ private:
     options.gradient_tolerance = 0;
     options.min_relative_decrease = 0;
     options.jacobi_scaling = false; // Cholesky does not need it
-    options.num_threads = (std::max)(1, threads);
+    // Ceres complains about more threads than cores.
+    options.num_threads = (std::max)(1, (std::min)(threads, int(std::thread::hardware_concurrency())));
     options.logging_type = ceres::SILENT;
     return options;
   }
@@ -224,6 +228,21 @@ private:
       problem_->AddResidualBlock(new internal::Ceres_smoothness_cost(state_->terms.smoothness(), int(ring.size()) - 1),
                                  nullptr, blocks);
     }
+  }
+
+  /// Tells Ceres to eliminate the vertices in 64 consecutive groups of a nested dissection: within these it orders by
+  /// minimum degree, as it would the whole, but anew in each call. Halves the arithmetic at 2 10^5 faces.
+  void set_elimination_groups()
+  {
+    constexpr std::size_t groups = 64;
+    const int rings = state_->terms.has_smoothness() ? 2 : 1;
+    const std::vector<int> order =
+        internal::elimination_order(internal::vertex_graph(state_->terms.connectivity(), rings));
+    if (order.empty()) return; // no memory: Ceres finds an order by itself, or fails later
+    auto* const grouped = new ceres::ParameterBlockOrdering;
+    for (std::size_t i = 0; i < order.size(); ++i)
+      grouped->AddElementToGroup(block(order[i]), int(i * groups / order.size()));
+    options_.linear_solver_ordering.reset(grouped);
   }
 
   /// Ceres refuses a step for two reasons that look alike: the factorisation failed, or `current` already is the

@@ -43,8 +43,7 @@ public:
   bool solve(const Points& current, const std::vector<int>& labels, const std::vector<Vector_3>& normals, double w_p,
              const std::vector<double>& similarity_scale, std::vector<double>& displacement)
   {
-    if (!system_.is_valid()) return false;
-    terms_.update(current, labels, normals, w_p, similarity_scale);
+    if (!system_.is_valid() || !terms_.update(current, labels, normals, w_p, similarity_scale)) return false;
     assemble(current);
     return system_.factorize() && system_.solve(right_side_, displacement);
   }

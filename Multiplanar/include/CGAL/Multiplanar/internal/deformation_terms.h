@@ -120,18 +120,21 @@ public:
   }
 
   /// Computes the coefficients of the pass that starts at `current`. The arguments are those of a solver's `solve`.
-  void update(const Points& current, const std::vector<int>& labels, const std::vector<Vector_3>& normals, double w_p,
+  /// Returns false if one of them is not finite.
+  bool update(const Points& current, const std::vector<int>& labels, const std::vector<Vector_3>& normals, double w_p,
               const std::vector<double>& similarity_scale)
   {
     const Connectivity& c = *connectivity_;
     CGAL_precondition(int(current.size()) == c.number_of_vertices());
     CGAL_precondition(int(labels.size()) == c.number_of_faces());
     CGAL_precondition(similarity_scale.empty() || similarity_scale.size() == current.size());
-    CGAL_precondition(w_p >= 0);
+    CGAL_precondition(!(w_p < 0));
+    double sum = w_p; // finite if and only if every number is, but for overflow, which is no better
     for (int v = 0; v < c.number_of_vertices(); ++v) {
       const double scale = similarity_scale.empty() ? 1 : similarity_scale[v];
-      CGAL_precondition(scale > 0);
+      CGAL_precondition(!(scale <= 0));
       similarity_[v] = weights_.similarity * area_share_[v] * scale;
+      sum += similarity_[v] + (current[v] - CGAL::ORIGIN).squared_length();
     }
     for (int f = 0; f < c.number_of_faces(); ++f) {
       const auto& t = c.triangles[f];
@@ -139,7 +142,9 @@ public:
       normals_[f] = w_p * normals[labels[f]];
       transformation_[f] =
           transformation_rows(current[t[0]], current[t[1]], current[t[2]], weights_.transformation / area_);
+      sum += normals_[f].squared_length();
     }
+    return std::isfinite(sum);
   }
 
   const Connectivity& connectivity() const { return *connectivity_; }
