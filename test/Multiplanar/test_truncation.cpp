@@ -19,7 +19,7 @@ std::vector<Part> parts_of(const Panel_complex& complex, const Truncation& trunc
   for (int p = 0; p < complex.number_of_panels(); ++p)
     for (const Flat_polygon& piece : truncation.panels[p].pieces) {
       Part part;
-      part.id = panel_id(p, complex.number_of_panels());
+      part.id = panel_id(complex, p);
       part.frame = truncation.panels[p].frame;
       part.outline = piece.outline;
       part.holes = piece.holes;
@@ -136,7 +136,7 @@ TEST(Truncation, panels_that_share_only_a_corner)
       for (int r : {p, q}) {
         whole[i].id = std::to_string(r);
         whole[i].frame = truncation.panels[r].frame;
-        whole[i].outline = internal::panel_polygon(complex, r, whole[i].frame).outline;
+        whole[i].outline = internal::part_from_panel(complex, r).outline;
         ++i;
       }
       for (const auto& v : violations(two, whole, 3)) pairs += v.find("overlap") != std::string::npos;

@@ -8,7 +8,7 @@
 #include <CGAL/Multiplanar/internal/Alternation.h>
 #include <CGAL/Multiplanar/internal/Slab.h>
 #include <CGAL/Multiplanar/internal/outline_cleaning.h>
-#include <CGAL/Multiplanar/internal/panel_frames.h>
+#include <CGAL/Multiplanar/internal/flat_panel_check.h>
 #include <CGAL/Multiplanar/internal/truncation_order.h>
 #include <CGAL/Multiplanar/internal/truncation_warnings.h>
 
@@ -30,8 +30,8 @@ public:
     if (!(options.thickness > 0)) throw std::invalid_argument("the thickness must be positive");
     require_flat_panels(complex);
     for (int p = 0; p < complex.number_of_panels(); ++p) {
-      const Frame frame = panel_frame(complex, p);
-      panels.emplace_back(frame, std::vector<Flat_polygon>{panel_polygon(complex, p, frame)}, options.thickness);
+      const Part part = part_from_panel(complex, p);
+      panels.emplace_back(part.frame, std::vector<Flat_polygon>{{part.outline, part.holes}}, options.thickness);
     }
     for (int p = 0; p < complex.number_of_panels(); ++p) within.push_back(columns_within_model(p));
   }

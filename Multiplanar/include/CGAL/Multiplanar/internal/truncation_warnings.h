@@ -5,7 +5,7 @@
 #define CGAL_MULTIPLANAR_INTERNAL_TRUNCATION_WARNINGS_H
 
 #include <CGAL/Multiplanar/Truncation_options.h>
-#include <CGAL/Multiplanar/internal/panel_frames.h>
+#include <CGAL/Multiplanar/Model.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -15,9 +15,9 @@ namespace CGAL {
 namespace Multiplanar {
 
 /// "P07", or "P07a", "P07b", ... if the panel fell apart into several pieces.
-inline std::string piece_id(int panel, int count, std::size_t piece, std::size_t pieces)
+inline std::string piece_id(const Panel_complex& complex, int panel, std::size_t piece, std::size_t pieces)
 {
-  std::string id = panel_id(panel, count);
+  std::string id = panel_id(complex, panel);
   if (pieces < 2) return id;
   std::string letters; // a .. z, aa, ab, ...
   for (std::size_t i = piece + 1; i > 0; i = (i - 1) / 26) letters.insert(letters.begin(), char('a' + (i - 1) % 26));
@@ -62,8 +62,7 @@ inline std::string in_mm(double value)
 inline void warn_about_panel(const Panel_complex& complex, const Truncation_options& options, int p, Truncation& result)
 {
   const Truncated_panel& panel = result.panels[p];
-  const int n = complex.number_of_panels();
-  const std::string id = panel_id(p, n), t = in_mm(options.thickness) + " mm";
+  const std::string id = panel_id(complex, p), t = in_mm(options.thickness) + " mm";
   const std::string advice = ": use a larger size, a thinner sheet or fewer panels";
   if (panel.pieces.empty()) {
     result.warnings.push_back(id + " (" + in_mm(complex.area(p)) + " mm2) vanishes: at a thickness of " + t +
@@ -73,7 +72,7 @@ inline void warn_about_panel(const Panel_complex& complex, const Truncation_opti
   if (panel.pieces.size() > 1) {
     std::string names;
     for (std::size_t i = 0; i < panel.pieces.size(); ++i)
-      names += (i ? ", " : "") + piece_id(p, n, i, panel.pieces.size());
+      names += (i ? ", " : "") + piece_id(complex, p, i, panel.pieces.size());
     result.warnings.push_back(id + " falls apart into " + std::to_string(panel.pieces.size()) + " pieces (" + names +
                               ") at a thickness of " + t + advice + " to keep it whole");
   }

@@ -1,0 +1,145 @@
+// Copyright (c) 2026 The Multiplanar authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTIPLANAR_INTERNAL_TOOTH_PLANNER_H
+#define CGAL_MULTIPLANAR_INTERNAL_TOOTH_PLANNER_H
+
+#include <CGAL/Multiplanar/Joint_options.h>
+#include <CGAL/Multiplanar/internal/Connector_placer.h>
+#include <CGAL/Multiplanar/internal/Truncator.h>
+#include <CGAL/Multiplanar/teeth.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Multiplanar {
+namespace internal {
+
+/// Finds where teeth have room along the edges without connectors, and afterwards which of them came out.
+class Tooth_planner
+{
+public:
+  Tooth_planner(const Panel_complex& complex, const Joint_options& options, const Connector_placer& connectors,
+                const std::vector<int>& order)
+      : complex(complex), options(options), connectors(connectors), rank(order.size())
+  {
+    for (int i = 0; i < int(order.size()); ++i) rank[order[i]] = i;
+    reasons.resize(complex.number_of_edges());
+  }
+
+  /// The side (0 or 1) of edge `e` whose panel stays where there is no tooth of the other.
+  int keeper(int e) const { return rank[complex.edges[e].panels[0]] < rank[complex.edges[e].panels[1]] ? 0 : 1; }
+
+  /// The edges that teeth are wanted on and that their angle allows.
+  std::vector<int> candidates()
+  {
+    std::vector<int> result;
+    for (int e = 0; e < complex.number_of_edges(); ++e) {
+      reasons[e] = obstacle(e);
+      if (reasons[e].empty()) result.push_back(e);
+    }
+    return result;
+  }
+
+  /// Plans the teeth of edge `e`. `usual` is the truncation without teeth, `reversed` that with the other panel staying
+  /// at every candidate: each shows how far one panel's material can reach.
+  Alternation plan(int e, const Truncation& usual, const Truncation& reversed)
+  {
+    const Edge_in_panel &stays = side(e, true), &gives_way = side(e, false);
+    const double line = middle_line(e);
+    const auto rooms = intersection(material_along(usual.panels[stays.panel].pieces, stays, line),
+                                    material_along(reversed.panels[gives_way.panel].pieces, gives_way, line));
+    Alternation teeth;
+    teeth.edge = e;
+    bool near_slots = false;
+    for (const Interval& room : rooms)
+      for (const Interval& tooth : alternate_parts(room, options.thickness))
+        if (keeps_margin(e, tooth)) teeth.intervals.push_back(tooth);
+        else near_slots = true;
+    if (teeth.intervals.empty())
+      reasons[e] = near_slots ? "teeth would come too close to slots" : "too short for teeth";
+    return teeth;
+  }
+
+  /// Does a tooth of the panel that otherwise gives way, one thickness wide, lie between two of the other's?
+  bool interlocks(const Alternation& teeth, const Truncation& result)
+  {
+    for (const Interval& interval : teeth.intervals)
+      if (is_held(teeth.edge, interval, result)) return true;
+    reasons[teeth.edge] = "other panels leave no room for teeth";
+    return false;
+  }
+
+  /// Why edge `e` has no teeth; empty if nothing speaks against them.
+  const std::string& reason(int e) const { return reasons[e]; }
+
+  const Edge_in_panel& side(int e, bool of_keeper) const
+  {
+    return connectors.view(e).sides[of_keeper ? keeper(e) : 1 - keeper(e)];
+  }
+
+private:
+  std::string obstacle(int e) const
+  {
+    const Joint_mode mode = options.mode_at(e);
+    if (connectors.reason(e).empty()) return "it has a connector";
+    if (mode == Joint_mode::connectors || mode == Joint_mode::none) return "teeth were not asked for";
+    const Edge_view& view = connectors.view(e);
+    if (view.is_reflex()) return "panels do not overlap at a reflex edge, so teeth cannot hold";
+    if (tooth_strip(view.theta, options.thickness).depth() < options.shallowest_tooth)
+      return "the angle is too flat for teeth";
+    for (const Edge_in_panel& s : view.sides)
+      if (connectors.slotted_panels()[s.panel].pieces.empty()) return panel_id(complex, s.panel) + " vanished";
+    return "";
+  }
+
+  /// Half a thickness below either outer face: this far from the edge the overlap of the two sheets has its middle.
+  double middle_line(int e) const { return options.thickness / 2 / std::tan(connectors.view(e).theta / 2); }
+
+  /// The panel that stays loses the strip at `tooth`: is that far enough from its slots?
+  bool keeps_margin(int e, const Interval& tooth) const
+  {
+    const Edge_in_panel& stays = side(e, true);
+    const Tooth_strip strip = tooth_strip(connectors.view(e).theta, options.thickness);
+    const Slot gap{tooth[0], tooth[1], strip.near, strip.far};
+    bool far = true;
+    for (const auto& slots : connectors.slotted_panels()[stays.panel].slots)
+      for_each_side({{}, slots}, [&](const Point_2& a, const Point_2& b) {
+        far = far && distance_to_slot(gap, stays, a, b) >= slot_margin(options.thickness);
+      });
+    return far;
+  }
+
+  bool is_held(int e, const Interval& interval, const Truncation& result) const
+  {
+    const Edge_in_panel &stays = side(e, true), &gives_way = side(e, false);
+    const Tooth_strip strip = tooth_strip(connectors.view(e).theta, options.thickness);
+    const auto& tooth_pieces = result.panels[gives_way.panel].pieces;
+    const double line = middle_line(e), inset = 0.01;
+    std::vector<Interval> tooth{interval};
+    for (double distance : {strip.near + inset, line, strip.far - inset})
+      tooth = intersection(tooth, material_along(tooth_pieces, gives_way, distance));
+    const auto others = material_along(result.panels[stays.panel].pieces, stays, line);
+    const auto touches = [&](double position, int end) { // does one of the others end here?
+      return std::any_of(others.begin(), others.end(),
+                         [&](const Interval& o) { return std::abs(o[end] - position) < 0.05 && o[1] - o[0] > 0.1; });
+    };
+    return std::any_of(tooth.begin(), tooth.end(), [&](const Interval& i) {
+      return i[1] - i[0] >= options.thickness && touches(i[0], 1) && touches(i[1], 0);
+    });
+  }
+
+  const Panel_complex& complex;
+  const Joint_options& options;
+  const Connector_placer& connectors;
+  std::vector<int> rank;
+  std::vector<std::string> reasons;
+};
+
+} // namespace internal
+} // namespace Multiplanar
+} // namespace CGAL
+
+#endif // CGAL_MULTIPLANAR_INTERNAL_TOOTH_PLANNER_H
