@@ -124,7 +124,7 @@ TEST(DeformationSolvers, AgreeWithNearlyAsManyLabelsAsFaces)
   EXPECT_LT(largest_disagreement(p, schedule), 1e-8);
 }
 
-// The pull of 10 planes on a sphere with slivers of a millionth of the mean area moves its proper vertices as it moves
+// The pull of 12 planes on a sphere with slivers of a millionth of the mean area moves its proper vertices as it moves
 // them without slivers, and carries the slivers' vertices along with their neighbours.
 TEST(DeformationSolvers, AreNotDisturbedBySlivers)
 {

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <thread>
 #include <vector>
@@ -166,15 +167,17 @@ public:
     for (std::size_t v = 0; v < current.size(); ++v)
       for (int d = 0; d < 3; ++d) x[3 * v + d] = previous[3 * v + d] = current[v][d];
 
-    ceres::Solver::Summary summary;
     {
       internal::Serial_libraries serial;
-      ceres::Solve(options_, problem_.get(), &summary);
+      ceres::Solve(options_, problem_.get(), &summary_);
     }
-    if (!is_solved(summary, w_p)) return false;
+    if (!is_solved(summary_, w_p)) return false;
     for (std::size_t v = 0; v < current.size(); ++v) target[v] = Point_3(x[3 * v], x[3 * v + 1], x[3 * v + 2]);
     return true;
   }
+
+  /// Ceres's account of the last solve.
+  const ceres::Solver::Summary& summary() const { return summary_; }
 
 private:
   static ceres::Problem::Options problem_options()
@@ -257,6 +260,7 @@ private:
   std::unique_ptr<internal::Ceres_deformation_state> state_;
   std::unique_ptr<ceres::Problem> problem_;
   ceres::Solver::Options options_;
+  ceres::Solver::Summary summary_;
 };
 
 } // namespace Multiplanar

@@ -10,7 +10,8 @@
 #include <CGAL/Multiplanar/internal/elimination_order.h>
 
 #include <array>
-#include <cmath>
+#include <chrono>
+#include <cstddef>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -18,6 +19,15 @@
 namespace CGAL {
 namespace Multiplanar {
 namespace internal {
+
+/// Where the last solve spent its time, in seconds.
+struct Deformation_stage_times
+{
+  double coefficients = 0;  // of the objectives: Deformation_terms::update
+  double assembly = 0;      // of the normal equations
+  double factorization = 0; // numerical
+  double substitution = 0;
+};
 
 /// Normal equations of one deformation problem, H u = -g for the displacement u = v - v' from the previous pass:
 /// g is half the gradient of the energy at v', H half its second derivative. At v' the transformation objective has
@@ -43,16 +53,28 @@ public:
   bool solve(const Points& current, const std::vector<int>& labels, const std::vector<Vector_3>& normals, double w_p,
              const std::vector<double>& similarity_scale, std::vector<double>& displacement)
   {
-    if (!system_.is_valid() || !terms_.update(current, labels, normals, w_p, similarity_scale)) return false;
-    assemble(current);
-    return system_.factorize() && system_.solve(right_side_, displacement);
+    if (!system_.is_valid()) return false;
+    return timed(times_.coefficients, [&] { return terms_.update(current, labels, normals, w_p, similarity_scale); }) &&
+           timed(times_.assembly, [&] { return assemble(current); }) &&
+           timed(times_.factorization, [&] { return system_.factorize(); }) &&
+           timed(times_.substitution, [&] { return system_.solve(right_side_, displacement); });
   }
 
   int rank(int v) const { return system_.rank(v); }
   std::size_t factor_bytes() const { return system_.factor_bytes(); }
+  const Deformation_stage_times& stage_times() const { return times_; }
 
 private:
-  void assemble(const Points& current)
+  template <class Stage>
+  static bool timed(double& seconds, Stage stage)
+  {
+    const auto begin = std::chrono::steady_clock::now();
+    const bool success = stage();
+    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return success;
+  }
+
+  bool assemble(const Points& current)
   {
     const Connectivity& c = terms_.connectivity();
     system_.set_zero();
@@ -60,6 +82,7 @@ private:
     for (int v = 0; v < c.number_of_vertices(); ++v) add_similarity(v, current[v]);
     for (int f = 0; f < c.number_of_faces(); ++f) add_triangle(f, current);
     if (terms_.has_smoothness()) add_smoothness(current);
+    return true;
   }
 
   /// Equation 5.
@@ -145,6 +168,7 @@ private:
   std::vector<std::array<Block_cholesky::Slot, 3>> edge_slots_;
   std::vector<std::pair<Block_cholesky::Slot, double>> smoothness_;
   std::vector<double> right_side_; // by rank
+  Deformation_stage_times times_;
 };
 
 } // namespace internal
@@ -182,6 +206,9 @@ public:
     }
     return true;
   }
+
+  /// Where the last solve spent its time.
+  const internal::Deformation_stage_times& stage_times() const { return equations_->stage_times(); }
 
   /// Bytes of the numerical factor.
   std::size_t factor_bytes() const { return equations_->factor_bytes(); }
