@@ -7,8 +7,7 @@
 #include <CGAL/Multiplanar/internal/accuracy_steps.h>
 #include <CGAL/Multiplanar/internal/first_fit.h>
 #include <CGAL/Multiplanar/internal/label_edits.h>
-#include <CGAL/Multiplanar/make_panel_complex.h>
-#include <CGAL/Multiplanar/panel_complex_problems.h>
+#include <CGAL/Multiplanar/internal/trace_topology.h>
 
 #include <memory>
 #include <unordered_map>
@@ -18,6 +17,14 @@ namespace CGAL {
 namespace Multiplanar {
 namespace internal {
 
+/// The largest distances, by owner: what a sample of the panels measured.
+struct Sample_record
+{
+  double r, area;
+  int face;                 ///< of the model, the closest
+  std::array<int, 3> owner; ///< panels that the sample lies on; at a corner with more, some of them
+};
+
 /// An approximation under work: labels of the faces, the complex that follows from them, where its planes and corners
 /// are, and how far the surfaces are apart.
 struct Panel_model
@@ -26,14 +33,16 @@ struct Panel_model
   std::shared_ptr<const Complex_topology> topology;
   std::vector<int> corner_vertex; ///< the mesh vertex of each corner
   Flat_state state;
-  std::shared_ptr<Panel_surface> surface;
+  std::shared_ptr<const Panel_surface> surface;
   std::vector<Moments> moments; ///< of the faces of each panel
   int faults = 0;               ///< panels that are not simple, and pairs that meet outside shared corners and edges
 
-  std::vector<int> near_panel;     ///< of every sample of the model
-  std::vector<double> panel_error; ///< largest distance by panel, both ways
-  std::vector<int> panel_worst;    ///< the face of the model where it is
-  double merit = 0;                ///< p-norm of all distances, p = 32
+  std::vector<double> r;              ///< distance of every sample of the model
+  std::vector<int> near_panel;        ///< and the panel that it is from; -1: to be measured
+  std::vector<Sample_record> records; ///< of samples of the panels
+  std::vector<double> panel_error;    ///< largest distance by the panel of the model's face, both ways
+  std::vector<int> panel_worst;       ///< the face of the model where it is
+  double merit = 0;                   ///< p-norm of all distances, p = 32
   double largest = 0;
 
   int panels() const { return topology->number_of_panels(); }
@@ -46,104 +55,77 @@ public:
   Panel_modeller(const Input_surface& input, double spacing)
       : in(input), c(*input.connectivity), spacing(spacing), face_moments(internal::face_moments(c, input.points))
   {
-    for (const Vec3& x : in.points) frame_points.push_back(as_point(x));
   }
 
   /// The model of an edited labelling. Panels that exist before and after keep their planes; corners likewise. What is
   /// new is fitted, with `refit` and every panel around a new corner free.
   /// \param old the model before, or null: everything is new
+  /// \param touched receives the panels that were free
   /// \return false if the labels cannot be made flat, or the fit fails
-  bool rebuild(const Panel_model* old, const Label_edit& edit, Panel_model& m,
-               std::vector<char>* touched = nullptr) const
+  bool rebuild(const Panel_model* old, const Label_edit& edit, Panel_model& m, std::vector<char>& touched) const
   {
     const int n = int(edit.old_panel.size());
     if (n < 4) return false;
-    const Panel_complex complex = make_panel_complex(c, frame_points, edit.labels, n);
-    if (!panel_complex_problems(complex).empty()) return false;
+    auto topology = std::make_shared<Complex_topology>();
     m.labels = edit.labels;
-    m.topology = std::make_shared<const Complex_topology>(complex_topology(complex));
-    const Complex_topology& t = *m.topology;
-    m.corner_vertex.clear();
-    for (const auto& corner : complex.corners) m.corner_vertex.push_back(corner.vertex);
-    m.moments.assign(n, Moments());
-    for (int f = 0; f < c.number_of_faces(); ++f) m.moments[m.labels[f]] += face_moments[f];
-
-    std::vector<char> free(n, 0);
-    m.state.normal.resize(n), m.state.offset.resize(n), m.state.corner.resize(t.number_of_corners());
-    for (int p = 0; p < n; ++p) {
-      const int q = edit.old_panel[p];
-      if (q < 0 || edit.refit[p] || !old) {
-        fit_plane(m.moments[p], m.state.normal[p], m.state.offset[p]);
-        free[p] = 1;
-      } else {
-        m.state.normal[p] = old->state.normal[q], m.state.offset[p] = old->state.offset[q];
-      }
-    }
-    const std::vector<char> refit = free;
-    place_corners(old, edit, m, free);
-    Plane_corner_system system(t, free);
-    if (!first_fit(t, m.moments, system, refit, m.state, 0.3 / double(system.free_corners().size() + 1))) return false;
-    if (touched) *touched = free;
-    m.surface = std::make_shared<Panel_surface>(*m.topology);
-    std::vector<int> all(n);
-    for (int p = 0; p < n; ++p) all[p] = p;
-    m.surface->update(m.state, all);
-    m.surface->build_tree(m.state);
-    m.faults = int(m.surface->conflicts(m.state, std::vector<char>(n, 1), 1 << 20).size());
-    for (int p = 0; p < n; ++p) m.faults += !m.surface->is_simple(p);
+    if (!Topology_tracer(c, m.labels, n).trace(*topology, m.corner_vertex)) return false;
+    m.topology = topology;
+    touched.assign(n, 0);
+    std::vector<char> refit(n, 0);
+    for (int p = 0; p < n; ++p) refit[p] = touched[p] = !old || edit.old_panel[p] < 0 || edit.refit[p];
+    sum_moments(old, edit, m);
+    place_planes(old, edit, refit, m);
+    place_corners(old, edit, refit, m, touched);
+    put_outer_loops_first(m, *topology);
+    Plane_corner_system system(*topology, touched);
+    if (!first_fit(*topology, m.moments, system, refit, m.state, 0.3 / double(system.free_corners().size() + 1)))
+      return false;
+    make_surface(old, edit, system, m);
+    carry_distances(old, edit, system, m);
     return true;
   }
 
-  /// Accuracy steps with the panels of `free` (all if empty).
-  void improve(Panel_model& m, std::vector<char> free, const Accuracy_options& options) const
+  /// Accuracy steps with the panels of `free`.
+  void improve(Panel_model& m, const std::vector<char>& free, const Accuracy_options& options) const
   {
-    if (free.empty()) free.assign(m.panels(), 1);
-    std::vector<char> changed(m.panels(), 0);
-    for (const auto& around : m.topology->corner_panels) {
-      bool moves = false;
-      for (int p : around) moves = moves || free[p];
-      for (int p : around) changed[p] = changed[p] || moves;
-    }
-    std::vector<int> active;
-    for (int i = 0; i < int(in.samples.size()); ++i)
-      if (m.near_panel.empty() || m.near_panel[i] < 0 || changed[m.near_panel[i]] ||
-          changed[m.labels[in.samples[i].face]])
-        active.push_back(i);
+    Accuracy_steps steps(in, *m.topology, free, active_samples(m, free), spacing, options);
     auto surface = std::make_shared<Panel_surface>(*m.surface);
-    Accuracy_steps steps(in, *m.topology, free, std::move(active), spacing, options);
     steps.run(m.state, *surface);
     m.surface = surface;
-    m.faults = steps.number_of_faults() + (m.faults - steps.faults_before());
+    m.faults += steps.number_of_faults() - steps.faults_before();
+    measure(m, free, &steps);
   }
 
-  /// Measures all distances.
-  void measure(Panel_model& m) const
+  void improve_all(Panel_model& m, const Accuracy_options& options) const
   {
-    const Complex_topology& t = *m.topology;
-    const int n = m.panels();
-    std::vector<int> all(in.samples.size());
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = int(i);
-    const Plane_corner_system system(t, std::vector<char>(n, 1));
-    Two_sided_distance distance(in, t, system, all, spacing);
-    distance.resample(m.state, *m.surface);
-    Evaluation e;
-    distance.evaluate(m.state, *m.surface, e);
-    m.near_panel.resize(all.size());
-    m.panel_error.assign(n, 0);
-    m.panel_worst.assign(n, -1);
-    const auto note = [&](int p, double r, int face) {
-      if (r > m.panel_error[p]) m.panel_error[p] = r, m.panel_worst[p] = face;
-    };
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      m.near_panel[i] = e.to_panels[i].panel;
-      note(m.labels[in.samples[i].face], e.to_panels[i].r, in.samples[i].face);
+    improve(m, std::vector<char>(m.panels(), 1), options);
+  }
+
+  /// Measures the distances that depend on panels around the corners of `free`.
+  void measure(Panel_model& m, const std::vector<char>& free, Accuracy_steps* steps = nullptr) const
+  {
+    const Plane_corner_system system(*m.topology, free);
+    const std::vector<char> changed = changed_panels(m, free);
+    if (steps) {
+      const auto& active = steps->distances().active();
+      for (std::size_t i = 0; i < active.size(); ++i) {
+        m.r[active[i]] = steps->last().to_panels[i].r;
+        m.near_panel[active[i]] = steps->last().to_panels[i].panel;
+      }
     }
-    for (std::size_t i = 0; i < e.to_input.size(); ++i) {
-      const int face = distance.samples()[i].near;
-      note(m.labels[face], e.to_input[i].r, face);
-    }
-    m.largest = e.largest;
-    m.merit = e.largest > 0 ? e.largest * std::pow(distance.energy(e, 32, e.largest), 1.0 / 32) : 0;
+    for (std::size_t i = 0; i < in.samples.size(); ++i)
+      if (m.near_panel[i] < 0 || (!steps && changed[m.near_panel[i]])) {
+        const auto q = m.surface->tree().closest(in.samples[i].point);
+        m.r[i] = std::sqrt(q.squared_distance), m.near_panel[i] = m.surface->panel_of(q.triangle);
+      }
+    renew_records(m, changed);
+    sum_up(m);
+  }
+
+  void measure_all(Panel_model& m) const
+  {
+    std::fill(m.near_panel.begin(), m.near_panel.end(), -1);
+    measure(m, std::vector<char>(m.panels(), 1));
   }
 
   const Input_surface& input() const { return in; }
@@ -151,34 +133,87 @@ public:
   const std::vector<Moments>& moments_of_faces() const { return face_moments; }
 
 private:
+  static std::vector<char> changed_panels(const Panel_model& m, const std::vector<char>& free)
+  {
+    std::vector<char> changed(m.panels(), 0);
+    for (const auto& around : m.topology->corner_panels) {
+      bool moves = false;
+      for (int p : around) moves = moves || free[p];
+      for (int p : around) changed[p] = changed[p] || moves;
+    }
+    return changed;
+  }
+
+  std::vector<int> active_samples(const Panel_model& m, const std::vector<char>& free) const
+  {
+    const std::vector<char> changed = changed_panels(m, free);
+    std::vector<int> active;
+    for (int i = 0; i < int(in.samples.size()); ++i)
+      if (m.near_panel[i] < 0 || changed[m.near_panel[i]] || changed[m.labels[in.samples[i].face]]) active.push_back(i);
+    return active;
+  }
+
+  void sum_moments(const Panel_model* old, const Label_edit& edit, Panel_model& m) const
+  {
+    const int n = int(edit.old_panel.size());
+    m.moments.assign(n, Moments());
+    std::vector<char> differs(n, !old);
+    if (old) {
+      for (int p = 0; p < n; ++p) differs[p] = edit.old_panel[p] < 0;
+      std::vector<int> now(old->panels(), -1);
+      for (int p = 0; p < n; ++p)
+        if (edit.old_panel[p] >= 0) now[edit.old_panel[p]] = p;
+      for (int f = 0; f < c.number_of_faces(); ++f) {
+        const int before = now[old->labels[f]];
+        if (before == m.labels[f]) continue;
+        differs[m.labels[f]] = 1;
+        if (before >= 0) differs[before] = 1;
+      }
+      for (int p = 0; p < n; ++p)
+        if (!differs[p]) m.moments[p] = old->moments[edit.old_panel[p]];
+    }
+    for (int f = 0; f < c.number_of_faces(); ++f)
+      if (differs[m.labels[f]]) m.moments[m.labels[f]] += face_moments[f];
+  }
+
+  static void place_planes(const Panel_model* old, const Label_edit& edit, const std::vector<char>& refit,
+                           Panel_model& m)
+  {
+    const int n = int(edit.old_panel.size());
+    m.state.normal.resize(n), m.state.offset.resize(n);
+    for (int p = 0; p < n; ++p) {
+      if (refit[p]) fit_plane(m.moments[p], m.state.normal[p], m.state.offset[p]);
+      else
+        m.state.normal[p] = old->state.normal[edit.old_panel[p]],
+        m.state.offset[p] = old->state.offset[edit.old_panel[p]];
+    }
+  }
+
   /// Corners that stand on the same vertex between the same panels stay; others start where their planes meet, if that
   /// is near, or else on the mesh. All panels around a corner that is new become free.
-  void place_corners(const Panel_model* old, const Label_edit& edit, Panel_model& m, std::vector<char>& free) const
+  void place_corners(const Panel_model* old, const Label_edit& edit, const std::vector<char>& refit, Panel_model& m,
+                     std::vector<char>& free) const
   {
     const Complex_topology& t = *m.topology;
     std::unordered_map<int, int> before;
     if (old)
       for (std::size_t i = 0; i < old->corner_vertex.size(); ++i) before[old->corner_vertex[i]] = int(i);
-    std::vector<char> is_new(t.number_of_corners(), 1);
+    m.state.corner.resize(t.number_of_corners());
     for (int i = 0; i < t.number_of_corners(); ++i) {
-      const Vec3& on_mesh = in.points[m.corner_vertex[i]];
-      m.state.corner[i] = on_mesh;
+      m.state.corner[i] = in.points[m.corner_vertex[i]];
       const auto found = before.find(m.corner_vertex[i]);
       if (found != before.end() && same_panels(old->topology->corner_panels[found->second], t.corner_panels[i], edit)) {
         m.state.corner[i] = old->state.corner[found->second];
-        is_new[i] = 0;
+        continue;
       }
-    }
-    for (int i = 0; i < t.number_of_corners(); ++i) {
-      if (!is_new[i]) continue;
       bool refitted = false;
-      for (int p : t.corner_panels[i]) refitted = refitted || edit.refit[p] || edit.old_panel[p] < 0 || !old;
+      for (int p : t.corner_panels[i]) refitted = refitted || refit[p];
       if (!refitted) meet(m, i);
       for (int p : t.corner_panels[i]) free[p] = 1;
     }
   }
 
-  void meet(Panel_model& m, int corner) const
+  static void meet(Panel_model& m, int corner)
   {
     const auto& panels = m.topology->corner_panels[corner];
     if (panels.size() != 3) return;
@@ -199,11 +234,127 @@ private:
     return true;
   }
 
+  static void put_outer_loops_first(const Panel_model& m, Complex_topology& t)
+  {
+    for (int p = 0; p < t.number_of_panels(); ++p) {
+      auto& loops = t.loops[p];
+      double largest = 0;
+      for (std::size_t l = 0; loops.size() > 1 && l < loops.size(); ++l) {
+        Vec3 area = Vec3::Zero();
+        for (std::size_t i = 0; i < loops[l].size(); ++i)
+          area += m.state.corner[loops[l][i]].cross(m.state.corner[loops[l][(i + 1) % loops[l].size()]]);
+        const double a = area.dot(m.state.normal[p]);
+        if (l == 0 || a > largest) {
+          largest = a;
+          std::swap(loops[0], loops[l]);
+        }
+      }
+    }
+  }
+
+  /// Triangles of panels that did not change are taken over, so that faults are looked for only where something did.
+  void make_surface(const Panel_model* old, const Label_edit& edit, const Plane_corner_system& system,
+                    Panel_model& m) const
+  {
+    (void)old, (void)edit;
+    const int n = m.panels();
+    std::vector<char> changed(n, 0);
+    for (int i : system.free_corners())
+      for (int p : m.topology->corner_panels[i]) changed[p] = 1;
+    auto surface = std::make_shared<Panel_surface>(*m.topology);
+    std::vector<int> all(n);
+    for (int p = 0; p < n; ++p) all[p] = p;
+    surface->update(m.state, all);
+    surface->build_tree(m.state);
+    // Without faults before, there are none among the panels that did not change.
+    if (!old || old->faults > 0) changed.assign(n, 1);
+    m.faults = int(surface->conflicts(m.state, changed, 1 << 20).size());
+    for (int p = 0; p < n; ++p) m.faults += !surface->is_simple(p);
+    m.surface = surface;
+  }
+
+  void carry_distances(const Panel_model* old, const Label_edit& edit, const Plane_corner_system& system,
+                       Panel_model& m) const
+  {
+    m.r.assign(in.samples.size(), 0);
+    m.near_panel.assign(in.samples.size(), -1);
+    m.records.clear();
+    if (!old) return;
+    std::vector<int> now(old->panels(), -1);
+    for (int p = 0; p < m.panels(); ++p)
+      if (edit.old_panel[p] >= 0) now[edit.old_panel[p]] = p;
+    for (int i : system.free_corners())
+      for (int p : m.topology->corner_panels[i])
+        if (edit.old_panel[p] >= 0) now[edit.old_panel[p]] = -1; // its shape changed
+    for (std::size_t i = 0; i < m.r.size(); ++i)
+      if (old->near_panel[i] >= 0) m.r[i] = old->r[i], m.near_panel[i] = now[old->near_panel[i]];
+    for (Sample_record q : old->records) {
+      bool kept = true;
+      for (int& p : q.owner) p = now[p], kept = kept && p >= 0;
+      if (kept) m.records.push_back(q);
+    }
+  }
+
+  /// Samples the panels in `changed` anew.
+  void renew_records(Panel_model& m, const std::vector<char>& changed) const
+  {
+    const auto lost = [&](const Sample_record& q) {
+      return changed[q.owner[0]] || changed[q.owner[1]] || changed[q.owner[2]];
+    };
+    m.records.erase(std::remove_if(m.records.begin(), m.records.end(), lost), m.records.end());
+    const Complex_topology& t = *m.topology;
+    const Panel_sampler sampler(t, spacing);
+    std::vector<Panel_sample> samples;
+    std::vector<std::array<int, 3>> owners;
+    for (int p = 0; p < m.panels(); ++p)
+      if (changed[p])
+        sampler.sample_inside(m.state, *m.surface, p, samples), owners.resize(samples.size(), {{p, p, p}});
+    for (int e = 0; e < int(t.edges.size()); ++e) {
+      const int p = t.edges[e].panels[0], q = t.edges[e].panels[1];
+      if (changed[p] || changed[q])
+        sampler.sample_edge(m.state, e, samples), owners.resize(samples.size(), {{p, p, q}});
+    }
+    for (int i = 0; i < t.number_of_corners(); ++i) {
+      const auto& around = t.corner_panels[i];
+      if (changed[around[0]] || changed[around[1]] || changed[around[2]])
+        sampler.sample_corner(i, samples), owners.push_back({{around[0], around[1], around[2]}});
+    }
+    int hint = -1;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      Vec3 x = Vec3::Zero();
+      for (int j = 0; j < 3; ++j) x += samples[i].weights.w[j] * m.state.corner[samples[i].corner[j]];
+      const auto q = in.tree.closest(x, hint);
+      hint = q.triangle;
+      m.records.push_back({std::sqrt(q.squared_distance), samples[i].area / in.area, q.triangle, owners[i]});
+    }
+  }
+
+  void sum_up(Panel_model& m) const
+  {
+    m.panel_error.assign(m.panels(), 0);
+    m.panel_worst.assign(m.panels(), -1);
+    m.largest = 0;
+    const auto note = [&](double r, int face) {
+      const int p = m.labels[face];
+      if (r > m.panel_error[p] || m.panel_worst[p] < 0) m.panel_error[p] = r, m.panel_worst[p] = face;
+      m.largest = (std::max)(m.largest, r);
+    };
+    for (std::size_t i = 0; i < m.r.size(); ++i) note(m.r[i], in.samples[i].face);
+    for (const auto& q : m.records) note(q.r, q.face);
+    if (!(m.largest > 0)) {
+      m.merit = 0;
+      return;
+    }
+    double sum = 0;
+    for (std::size_t i = 0; i < m.r.size(); ++i) sum += in.samples[i].area / in.area * power(m.r[i] / m.largest, 32);
+    for (const auto& q : m.records) sum += q.area * power(q.r / m.largest, 32);
+    m.merit = m.largest * std::pow(sum, 1.0 / 32);
+  }
+
   const Input_surface& in;
   const Connectivity& c;
   double spacing;
   std::vector<Moments> face_moments;
-  Points frame_points;
 };
 
 /// Free for local work: the panels in `touched` and all that share a corner with them.

@@ -86,13 +86,13 @@ private:
     partition.max_panels = options.max_panels;
     const auto report = make_panels(c, frame_points, costs, labels, partition);
     if (!report.ok) return false;
-    if (!modeller.rebuild(nullptr, no_edit(labels, report.panels), m)) return false;
+    std::vector<char> touched;
+    if (!modeller.rebuild(nullptr, no_edit(labels, report.panels), m, touched)) return false;
     Teleport_search t(modeller, options.max_panels);
     t.local_options = accuracy();
     while (m.faults > 0 && t.repair_once(m)) {
     }
-    modeller.improve(m, {}, accuracy());
-    modeller.measure(m);
+    modeller.improve_all(m, accuracy());
     return true;
   }
 
@@ -104,27 +104,27 @@ private:
     t.local_options.steps = 6;
     while (t.trials < trial_budget() && !stopped(0.2 + 0.7 * t.trials / trial_budget()) && t.improve_once(m)) {
     }
-    modeller.improve(m, {}, accuracy());
-    modeller.measure(m);
+    modeller.improve_all(m, accuracy());
   }
 
   /// Chords are mended, so that the mesh can follow; the model is adapted where that changed corners.
   bool finish(const Label_costs& costs, Panel_model& m)
   {
-    Panel_work work(costs, Panel_labelling(c, m.labels));
-    if (work.panels.number_of_local_problems() == 0) return true;
-    work.mender.mend_all();
-    if (work.panels.number_of_local_problems() > 0)
+    Panel_labelling panels(c, m.labels);
+    Panel_fits fits(costs, panels);
+    panels.start_watching();
+    if (panels.number_of_local_problems() == 0) return true;
+    Panel_mender mender(panels, fits);
+    mender.mend_all();
+    if (panels.number_of_local_problems() > 0)
       notes.push_back("some triangles of the mesh lie between corners of one edge of a panel");
-    Label_edit edit = no_edit(work.panels.labels(), m.panels());
+    Label_edit edit = no_edit(panels.labels(), m.panels());
     Panel_model mended;
     std::vector<char> touched;
-    if (!modeller.rebuild(&m, edit, mended, &touched) || mended.faults > 0) return true;
-    mended.near_panel = m.near_panel;
+    if (!modeller.rebuild(&m, edit, mended, touched) || mended.faults > 0) return true;
     Accuracy_options a = accuracy();
     a.powers = {32};
     modeller.improve(mended, with_ring(*mended.topology, touched), a);
-    modeller.measure(mended);
     m = std::move(mended);
     return true;
   }

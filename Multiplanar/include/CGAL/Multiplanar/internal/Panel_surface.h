@@ -32,6 +32,7 @@ inline bool triangles_conflict(const std::vector<Vec3>& x, const std::array<int,
   }
   if (shared == 2) {
     const int i = 3 - sum_i, j = 3 - sum_j; // the corners not shared
+    if (CGAL::collinear(a(i + 1), a(i + 2), a(i))) return true;
     return CGAL::orientation(a(i + 1), a(i + 2), a(i), b(j)) == CGAL::COPLANAR &&
            CGAL::coplanar_orientation(a(i + 1), a(i + 2), a(i), b(j)) != CGAL::NEGATIVE;
   }

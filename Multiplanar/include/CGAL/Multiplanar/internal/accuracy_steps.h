@@ -56,6 +56,7 @@ public:
     trial_surface = surface;
     surface.build_tree(s);
     faults = faults_before_ = count_faults(s, surface, 1 << 20);
+    distance.measure_active(s, surface, base);
     for (int p : options.powers) run_power(p, s, surface);
   }
 
@@ -74,13 +75,11 @@ private:
     int stalled = 0, since_refresh = options.refresh;
     for (int step = 0; step < options.steps; ++step) {
       if (since_refresh >= options.refresh) {
-        distance.resample(s, surface);
-        distance.evaluate(s, surface, base);
-        ++evaluations_;
+        distance.resample(s, surface, base);
         since_refresh = 0;
       }
-      const double unit = std::pow(distance.energy(base, p, (std::max)(base.largest, 1e-300)), 1.0 / p) *
-                          (std::max)(base.largest, 1e-300);
+      const double largest = (std::max)(base.largest(), 1e-300);
+      const double unit = largest * std::pow(distance.energy(base, p, largest), 1.0 / p);
       if (!(unit > 1e-14)) return;
       system.linearise(s);
       assemble(p, unit, s);
@@ -154,6 +153,9 @@ private:
     return options.barrier * sum;
   }
 
+  /// Distances below this part of the p-norm contribute less than 1e-4 to E_p together.
+  static double negligible(int p) { return p <= 4 ? 0 : std::pow(1e-4, 1.0 / p); }
+
   /// \return the relative fall of the p-norm, or 0 if the step was refused
   double try_step(int p, double unit, double merit, double lambda, Flat_state& s, Panel_surface& surface)
   {
@@ -171,7 +173,7 @@ private:
     for (int q : distance.changed_panels()) bad += !trial_surface.is_simple(q);
     if (bad > faults) return 0;
     trial_surface.build_tree(trial);
-    distance.evaluate(trial, trial_surface, trial_distances);
+    distance.update(trial, trial_surface, base, largest_motion(s, trial), unit * negligible(p), trial_distances);
     ++evaluations_;
     const double now = distance.energy(trial_distances, p, unit);
     const double fall = merit - (now / p + barrier(trial));

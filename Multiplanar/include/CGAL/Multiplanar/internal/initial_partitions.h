@@ -16,7 +16,7 @@ namespace internal {
 
 /// A partition of the faces into `k` connected pieces that are nearly flat: variational shape approximation (regions
 /// grown from seeds, planes fitted, repeated), with proxies inserted where the cost is highest until there are k. The
-/// first seed is random, later ones are the faces that cost most.
+/// first quarter of the seeds is random, later ones are the faces that cost most.
 /// \param growth by how much the number of pieces grows per round, > 1: small steps place pieces more evenly
 inline std::vector<int> grow_partition(const Input_surface& in, const std::vector<Moments>& moments,
                                        const Face_cost& cost, int k, std::uint64_t seed, double growth)
@@ -35,7 +35,7 @@ inline std::vector<int> grow_partition(const Input_surface& in, const std::vecto
     names.push_back(int(names.size()));
     seeds.push_back(face);
   };
-  add(int(random() % std::uint64_t(faces)));
+  for (int i = 0; i < (std::max)(1, k / 4); ++i) add(int(random() % std::uint64_t(faces)));
   const auto round = [&] {
     flood(c, region, proxies, names, seeds, cost, labels);
     std::vector<Moments> sums(proxies.size());

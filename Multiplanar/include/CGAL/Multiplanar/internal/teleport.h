@@ -154,20 +154,11 @@ public:
     ++trials;
     clip_ears(c, edit.labels);
     std::vector<char> touched;
-    if (!modeller.rebuild(&m, edit, result, &touched) || result.faults > m.faults) return false;
-    // Samples that were closest to a panel that changed are looked at again.
-    std::vector<int> now(m.panels(), -1);
-    for (int p = 0; p < result.panels(); ++p)
-      if (edit.old_panel[p] >= 0) now[edit.old_panel[p]] = p;
-    result.near_panel.resize(m.near_panel.size());
-    for (std::size_t i = 0; i < m.near_panel.size(); ++i)
-      result.near_panel[i] = m.near_panel[i] < 0 ? -1 : now[m.near_panel[i]];
+    if (!modeller.rebuild(&m, edit, result, touched) || result.faults > m.faults) return false;
     std::vector<char> free = touched;
     for (int i = 0; i < ring; ++i) free = with_ring(*result.topology, free);
     modeller.improve(result, free, local_options);
-    if (result.faults > m.faults) return false;
-    modeller.measure(result);
-    return true;
+    return result.faults <= m.faults;
   }
 
   bool better(const Panel_model& a, const Panel_model& b) const
@@ -201,8 +192,9 @@ public:
       Label_edit clipped = e;
       clip_ears(c, clipped.labels);
       ++trials;
-      if (!modeller.rebuild(&m, clipped, r) || r.faults > best.faults || r.faults >= m.faults) return;
-      modeller.measure(r);
+      std::vector<char> touched;
+      if (!modeller.rebuild(&m, clipped, r, touched) || r.faults > best.faults || r.faults >= m.faults) return;
+      modeller.measure(r, touched);
       if (r.faults < best.faults || r.merit < best.merit) best = std::move(r);
     };
     cost.set_unit(0.02);

@@ -48,6 +48,7 @@ struct Distance
   std::array<int, 3> corner{{-1, -1, -1}};
   Barycentric weights{{1, 0, 0}};
   int panel = -1;
+  double slack = 0; ///< the distance may have changed by so much since it was measured
 };
 
 /// r^p for a power of two p.
@@ -110,7 +111,14 @@ private:
 struct Evaluation
 {
   std::vector<Distance> to_panels, to_input;
-  double largest = 0;
+
+  double largest() const
+  {
+    double r = 0;
+    for (const Distance& d : to_panels) r = (std::max)(r, d.r);
+    for (const Distance& d : to_input) r = (std::max)(r, d.r);
+    return r;
+  }
 };
 
 /// The distances that depend on the free panels of a system.
@@ -136,46 +144,43 @@ public:
   double area_of_active(int i) const { return in.samples[active_[i]].area / in.area; }
   double area_of_sample(int i) const { return samples_[i].area / in.area; }
 
-  /// Places new samples on the panels that change.
-  void resample(const Flat_state& s, const Panel_surface& surface)
+  /// Places new samples on the panels that change and measures them. \pre `surface` stands at `s`
+  void resample(const Flat_state& s, const Panel_surface& surface, Evaluation& e)
   {
     samples_.clear();
     for (int p : changed_panels_) sampler_.sample_inside(s, surface, p, samples_);
-    for (int e = 0; e < int(t.edges.size()); ++e)
-      if (system.moves(t.edges[e].corners[0]) || system.moves(t.edges[e].corners[1]))
-        sampler_.sample_edge(s, e, samples_);
+    for (int i = 0; i < int(t.edges.size()); ++i)
+      if (system.moves(t.edges[i].corners[0]) || system.moves(t.edges[i].corners[1]))
+        sampler_.sample_edge(s, i, samples_);
     for (int c : system.free_corners()) sampler_.sample_corner(c, samples_);
+    e.to_input.assign(samples_.size(), Distance());
+    for (std::size_t i = 0; i < samples_.size(); ++i) measure_sample(s, int(i), e.to_input[i]);
   }
 
-  /// Measures every distance. \pre the tree of `surface` stands at `s`
-  void evaluate(const Flat_state& s, const Panel_surface& surface, Evaluation& e)
+  /// Measures the distances of all active samples from the panels. \pre the tree of `surface` stands at `s`
+  void measure_active(const Flat_state& s, const Panel_surface& surface, Evaluation& e)
   {
-    e.to_panels.resize(active_.size());
-    e.to_input.resize(samples_.size());
-    e.largest = 0;
-    for (std::size_t i = 0; i < active_.size(); ++i) {
-      const Vec3& v = in.samples[active_[i]].point;
-      const int hint = near_panel_[i] < surface.tree().number_of_triangles() ? near_panel_[i] : -1;
-      const auto c = surface.tree().closest(v, hint);
-      near_panel_[i] = c.triangle;
-      Distance& d = e.to_panels[i];
-      d.panel = surface.panel_of(c.triangle);
-      d.corner = surface.triangles()[c.triangle];
-      d.weights = c.weights;
-      set(d, c.point, v, s.normal[d.panel]);
-      e.largest = (std::max)(e.largest, d.r);
-    }
-    for (std::size_t i = 0; i < samples_.size(); ++i) {
-      Panel_sample& q = samples_[i];
-      Vec3 x = Vec3::Zero();
-      for (int j = 0; j < 3; ++j) x += q.weights.w[j] * s.corner[q.corner[j]];
-      const auto c = in.tree.closest(x, q.near);
-      q.near = c.triangle;
-      Distance& d = e.to_input[i];
-      d.panel = q.panel, d.corner = q.corner, d.weights = q.weights;
-      set(d, x, c.point, s.normal[q.panel]);
-      e.largest = (std::max)(e.largest, d.r);
-    }
+    e.to_panels.assign(active_.size(), Distance());
+    for (std::size_t i = 0; i < active_.size(); ++i) measure_active_sample(s, surface, int(i), e.to_panels[i]);
+  }
+
+  /// Distances after the corners moved by at most `motion` from where `base` was measured. Those that cannot reach
+  /// `threshold` are taken over: a distance changes by no more than the corners move.
+  void update(const Flat_state& s, const Panel_surface& surface, const Evaluation& base, double motion,
+              double threshold, Evaluation& e)
+  {
+    const auto keep = [&](const Distance& old, Distance& d) {
+      if (old.r + old.slack + motion > threshold) return false;
+      d = old;
+      d.slack += motion;
+      return true;
+    };
+    e.to_panels.resize(base.to_panels.size());
+    e.to_input.resize(base.to_input.size());
+    for (std::size_t i = 0; i < active_.size(); ++i)
+      if (!keep(base.to_panels[i], e.to_panels[i])) measure_active_sample(s, surface, int(i), e.to_panels[i]);
+    for (std::size_t i = 0; i < samples_.size(); ++i)
+      if (!keep(base.to_input[i], e.to_input[i])) measure_sample(s, int(i), e.to_input[i]);
   }
 
   /// E_p with distances in units of `unit`.
@@ -203,12 +208,36 @@ public:
   }
 
 private:
+  void measure_active_sample(const Flat_state& s, const Panel_surface& surface, int i, Distance& d)
+  {
+    const Vec3& v = in.samples[active_[i]].point;
+    const int hint = near_panel_[i] < surface.tree().number_of_triangles() ? near_panel_[i] : -1;
+    const auto c = surface.tree().closest(v, hint);
+    near_panel_[i] = c.triangle;
+    d.panel = surface.panel_of(c.triangle);
+    d.corner = surface.triangles()[c.triangle];
+    d.weights = c.weights;
+    set(d, c.point, v, s.normal[d.panel]);
+  }
+
+  void measure_sample(const Flat_state& s, int i, Distance& d)
+  {
+    Panel_sample& q = samples_[i];
+    Vec3 x = Vec3::Zero();
+    for (int j = 0; j < 3; ++j) x += q.weights.w[j] * s.corner[q.corner[j]];
+    const auto c = in.tree.closest(x, q.near);
+    q.near = c.triangle;
+    d.panel = q.panel, d.corner = q.corner, d.weights = q.weights;
+    set(d, x, c.point, s.normal[q.panel]);
+  }
+
   static void set(Distance& d, const Vec3& panel_point, const Vec3& other, const Vec3& normal)
   {
     const Vec3 v = panel_point - other;
     d.point = panel_point;
     d.r = v.norm();
     d.u = d.r > 1e-10 ? Vec3(v / d.r) : normal;
+    d.slack = 0;
   }
 
   const Input_surface& in;
