@@ -49,7 +49,8 @@ void on_signal(int signal)
   interrupted = true;
   if (!doomed.empty()) remove_whole(doomed.front());
   for (std::size_t i = 1; i < doomed.size(); ++i) rmdir(doomed[i].c_str());
-  std::fprintf(stderr, "%sinterrupted: nothing was written\n", isatty(STDERR_FILENO) ? "\r\033[K" : "");
+  std::fprintf(stderr, "%sinterrupted%s\n", isatty(STDERR_FILENO) ? "\r\033[K" : "",
+               doomed.empty() ? "" : ": nothing was written");
   _exit(128 + signal);
 }
 

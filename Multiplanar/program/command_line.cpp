@@ -190,6 +190,7 @@ std::optional<Settings> parse_command_line(int argc, char** argv)
     app.exit(done);
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
+    if (app.get_subcommands().empty() && argc < 2) throw usage_error("no command was given: see multiplanar --help");
     throw usage_error(one_line(error.what()) + ": see multiplanar --help");
   }
   const CLI::App* command = app.get_subcommands().front();

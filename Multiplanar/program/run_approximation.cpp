@@ -7,6 +7,7 @@
 #include <CGAL/Multiplanar/approximate.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 using namespace CGAL::Multiplanar;
 
@@ -42,12 +43,25 @@ void check_result(const Input_mesh& mesh, const Approximation_result& result, in
   if (*range.first < 0 || *range.second >= panels) throw broken(mesh, "a face of the result has no panel");
 }
 
+/// The approximation says in one line why it could not keep its promises.
+Approximation_result approximated(const Input_mesh& mesh, const Approximation_options& options,
+                                  Approximation_visitor& visitor)
+{
+  try {
+    return internal::approximate(mesh.connectivity, mesh.points, options, visitor);
+  } catch (const std::invalid_argument& error) {
+    throw input_error(mesh.file + ": " + error.what());
+  } catch (const std::runtime_error& error) {
+    throw broken(mesh, error.what());
+  }
+}
+
 } // namespace
 
 Approximation_result run_approximation(const Input_mesh& mesh, const Approximation_options& options, Progress& progress)
 {
   Progress_visitor visitor(progress);
-  Approximation_result result = internal::approximate(mesh.connectivity, mesh.points, options, visitor);
+  Approximation_result result = approximated(mesh, options, visitor);
   progress.finish();
   check_result(mesh, result, options.panels);
   return result;

@@ -44,8 +44,8 @@ void Report::write_summary(const std::string& title) const
     else if (e.state == State::not_claimed) verdict = "not claimed";
     else if (e.state == State::not_checked) verdict = "not checked";
     std::string text = e.text;
-    if (e.violations > 0) text = counted(e.violations, "violation") + (text.empty() ? "" : "; ") + text;
-    if (e.unreadables > 0) text = counted(e.unreadables, "unreadable file") + (text.empty() ? "" : "; ") + text;
+    if (e.violations > 0) text = counted(e.violations, "violation");
+    if (e.unreadables > 0) text = counted(e.unreadables, "unreadable file") + (e.violations > 0 ? ", " + text : "");
     char line[64];
     std::snprintf(line, sizeof line, "  %-10s %-12s ", e.subject.c_str(), verdict.c_str());
     out << line << one_line(text) << "\n";

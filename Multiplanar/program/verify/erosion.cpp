@@ -1,6 +1,9 @@
 // Copyright (c) 2026 The Multiplanar authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Intersections of intersections are rare here: the plain triangulation is the fast one.
+#define CGAL_NO_CDT_2_WARNING
+
 #include "erosion.h"
 
 #include "loops.h"
