@@ -100,7 +100,7 @@ inline std::vector<Loop_outcome> run_restarts(const Connectivity& c, const Point
 inline void measure(const Connectivity& c, const Points& source, Approximation_result& result)
 {
   const double diagonal = Unit_frame(source).diagonal();
-  const auto distance = symmetric_hausdorff(source, c.triangles, result.points, c.triangles, 1e-5 * diagonal);
+  const auto distance = symmetric_hausdorff(source, c.triangles, result.points, c.triangles, 1e-4 * diagonal);
   result.hausdorff = distance.upper();
   result.hausdorff_to_panels = distance.to_second.upper;
   result.hausdorff_to_input = distance.to_first.upper;

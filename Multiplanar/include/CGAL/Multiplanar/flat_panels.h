@@ -30,6 +30,11 @@ struct Flat_panels_options
   double min_width = 0.002; ///< smallest width of a panel, in diagonals
 };
 
+struct Flat_panels_result;
+
+/// Tells which panels of a result the caller cannot use, worst first; none if all is well.
+using Flat_panels_obstacles = std::function<std::vector<int>(const Flat_panels_result&)>;
+
 /// Exactly flat panels near a model.
 struct Flat_panels_result
 {
@@ -54,12 +59,24 @@ inline void measure_panels(const Connectivity& c, const Points& source, double d
   Points corners;
   for (const auto& corner : result.complex.corners) corners.push_back(corner.point);
   const auto triangles = triangulate_panels(result.complex).triangles;
-  result.hausdorff_error = 1e-5 * diagonal;
+  result.hausdorff_error = 1e-4 * diagonal;
   const auto d = symmetric_hausdorff(source, c.triangles, corners, triangles, result.hausdorff_error);
   result.hausdorff = d.upper();
   result.to_panels = d.to_second.upper;
   result.to_input = d.to_first.upper;
   result.mean = mean_distance(source, c.triangles, corners, triangles);
+}
+
+inline Flat_panels_result result_of(const Connectivity& c, const Points& source, const Input_surface& input,
+                                    const Panel_model& model)
+{
+  Flat_panels_result result;
+  result.panel_of_face = model.labels;
+  result.complex = make_panel_complex(c, source, model.labels, model.panels());
+  write_state(model.state, input, result.complex);
+  result.ok = true;
+  for (int p = 0; p < model.panels(); ++p) result.ok = result.ok && is_simple_panel(result.complex, p);
+  return result;
 }
 
 } // namespace internal
@@ -73,13 +90,15 @@ Finds at most k exactly flat panels near a closed triangle mesh.
 \param partitions labellings of the faces to start from; more are made as `options.effort` allows
 \param options see `Flat_panels_options`
 \param progress called now and then
+\param obstacles asked of the result; where it names panels, they are changed or merged and it is asked again
 
 The result is a closed polygon mesh without intersections, with the combinatorics of `panel_of_face`; corners lie in the
 planes of their panels to 1e-12 of the diagonal. If `ok` is false, no partition could be made so.
 */
 inline Flat_panels_result flat_panels(const internal::Connectivity& c, const Points& source,
                                       const std::vector<std::vector<int>>& partitions,
-                                      const Flat_panels_options& options, const Flat_panels_progress& progress = {})
+                                      const Flat_panels_options& options, const Flat_panels_progress& progress = {},
+                                      const Flat_panels_obstacles& obstacles = {})
 {
   CGAL_precondition(int(source.size()) == c.number_of_vertices());
   internal::Panel_search_options search_options;
@@ -92,17 +111,24 @@ inline Flat_panels_result flat_panels(const internal::Connectivity& c, const Poi
   search_options.min_width = options.min_width;
   const internal::Input_surface input = internal::make_input_surface(c, source);
   internal::Panel_search search(input, search_options, progress);
-  Flat_panels_result result;
   internal::Panel_model model;
-  const bool found = search.run(partitions, model);
-  result.notes = search.notes;
-  if (!found) return result;
-  result.panel_of_face = model.labels;
-  result.complex = make_panel_complex(c, source, model.labels, model.panels());
-  internal::write_state(model.state, input, result.complex);
-  result.ok = true;
-  for (int p = 0; p < model.panels(); ++p) result.ok = result.ok && is_simple_panel(result.complex, p);
+  Flat_panels_result result;
+  if (!search.run(partitions, model)) {
+    result.notes = search.notes;
+    return result;
+  }
+  for (int round = 0;; ++round) {
+    result = internal::result_of(c, source, input, model);
+    const std::vector<int> blocked = result.ok && obstacles ? obstacles(result) : std::vector<int>();
+    if (blocked.empty()) break;
+    if (round == 16 || !(search.rework(model, blocked[0], round % 2 == 1) || search.rework(model, blocked[0], true))) {
+      result.ok = false;
+      break;
+    }
+    search.notes.push_back("a panel was changed because the mesh could not be moved into it");
+  }
   if (result.ok) internal::measure_panels(c, source, input.scale, result);
+  result.notes = search.notes;
   return result;
 }
 

@@ -9,9 +9,14 @@
 #include <CGAL/Multiplanar/internal/teleport.h>
 #include <CGAL/Multiplanar/panel_partition.h>
 
+#include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <functional>
+#include <random>
 #include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -28,41 +33,65 @@ struct Panel_search_options
   double min_edge = 0.002, min_width = 0.002;
 };
 
+/// How much work an effort stands for. Counted in edits tried, not in seconds, so that results can be repeated.
+struct Search_budget
+{
+  int partitions; ///< to start from, together with those given
+  int chains;     ///< kept after the start, each searched on its own
+  int rounds;     ///< after each, the worse half of the chains goes on from the best
+  int trials;     ///< edits tried by a chain in a round
+};
+
+inline Search_budget search_budget(Effort effort)
+{
+  switch (effort) {
+  case Effort::fast:
+    return {2, 0, 0, 0};
+  case Effort::normal:
+    return {8, 4, 6, 200};
+  case Effort::best:
+    return {24, 8, 1 << 20, 400};
+  }
+  return {};
+}
+
 /// From partitions to the best model found.
 class Panel_search
 {
 public:
   Panel_search(const Input_surface& input, const Panel_search_options& options, std::function<bool(double)> progress)
-      : in(input), c(*input.connectivity), options(options), progress(std::move(progress)),
-        modeller(input, std::sqrt(input.area / 3000)), start(std::chrono::steady_clock::now())
+      : in(input), c(*input.connectivity), options(options), budget(search_budget(options.effort)),
+        threads(options.threads > 0 ? options.threads : (std::max)(1, int(std::thread::hardware_concurrency()))),
+        progress(std::move(progress)),
+        modeller(input, std::sqrt(input.area / 3000), options.min_edge, options.min_width),
+        start(std::chrono::steady_clock::now())
   {
     for (const Vec3& x : in.points) frame_points.push_back(as_point(x));
   }
 
   std::vector<std::string> notes;
 
+  /// \return false if no partition led to panels without faults
   bool run(std::vector<std::vector<int>> partitions, Panel_model& best)
   {
-    add_partitions(partitions);
     const Label_costs costs(c, frame_points);
-    bool found = false;
-    for (auto& labels : partitions) {
-      Panel_model m;
-      if (!start_model(costs, labels, m)) continue;
-      if (!found || better(m, best)) best = std::move(m), found = true;
-      if (stopped(0.2)) break;
+    std::vector<Panel_model> models;
+    for (int attempt = 0; attempt < 6; ++attempt) {
+      add_partitions(attempt, partitions);
+      start_models(costs, partitions, models);
+      if (!models.empty()) break;
+      partitions.clear();
+      if (out_of_time()) break;
     }
-    if (!found || best.faults > 0) return false;
-    search(best);
-    return finish(costs, best);
+    if (models.empty()) return false;
+    search(models);
+    best = std::move(models[0]);
+    tidy(best);
+    mend(costs, best);
+    return true;
   }
 
 private:
-  int trial_budget() const
-  {
-    return options.effort == Effort::fast ? 0 : options.effort == Effort::normal ? 300 : 1 << 30;
-  }
-
   Accuracy_options accuracy() const
   {
     Accuracy_options a;
@@ -70,17 +99,45 @@ private:
     return a;
   }
 
-  void add_partitions(std::vector<std::vector<int>>& partitions) const
+  Accuracy_options local_accuracy() const
   {
-    const int wanted = options.effort == Effort::fast ? 1 : options.effort == Effort::normal ? 4 : 10;
-    Face_cost cost(in, 0.02);
-    for (int i = 0; int(partitions.size()) < wanted; ++i)
-      partitions.push_back(grow_partition(in, modeller.moments_of_faces(), cost, options.max_panels,
-                                          options.seed * 1000 + std::uint64_t(i), i % 2 == 0 ? 1.1 : 1.5));
+    Accuracy_options a = accuracy();
+    a.powers = {8, 32};
+    a.steps = 6;
+    return a;
+  }
+
+  /// Grown partitions, from seeds that differ with the attempt; later attempts with fewer panels.
+  void add_partitions(int attempt, std::vector<std::vector<int>>& partitions) const
+  {
+    const int given = int(partitions.size()), wanted = (std::max)(given, budget.partitions);
+    const int least = 4 + 3 * c.genus();
+    const int k = (std::max)((std::min)(least, options.max_panels), int(options.max_panels * (1 - 0.1 * attempt)));
+    partitions.resize(wanted);
+    const Face_cost cost(in, 0.02);
+    for_each_parallel(wanted - given, threads, [&](int i) {
+      partitions[given + i] =
+          grow_partition(in, modeller.moments_of_faces(), cost, k,
+                         options.seed * 1000 + std::uint64_t(100 * attempt + i), i % 2 == 0 ? 1.1 : 1.5);
+    });
+  }
+
+  /// Models without faults, best first.
+  void start_models(const Label_costs& costs, const std::vector<std::vector<int>>& partitions,
+                    std::vector<Panel_model>& models)
+  {
+    std::vector<Panel_model> started(partitions.size());
+    std::vector<char> ok(partitions.size(), 0);
+    for_each_parallel(int(partitions.size()), threads,
+                      [&](int i) { ok[i] = start_model(costs, partitions[i], started[i]) && started[i].faults == 0; });
+    for (std::size_t i = 0; i < started.size(); ++i)
+      if (ok[i]) models.push_back(std::move(started[i]));
+    sort_models(models);
+    if (progress) progress(0.15);
   }
 
   /// A repaired model of a partition with accuracy steps. \return false if it cannot be made realisable
-  bool start_model(const Label_costs& costs, std::vector<int> labels, Panel_model& m)
+  bool start_model(const Label_costs& costs, std::vector<int> labels, Panel_model& m) const
   {
     Panel_partition_options partition;
     partition.max_panels = options.max_panels;
@@ -88,62 +145,114 @@ private:
     if (!report.ok) return false;
     std::vector<char> touched;
     if (!modeller.rebuild(nullptr, no_edit(labels, report.panels), m, touched)) return false;
-    Teleport_search t(modeller, options.max_panels);
+    Teleport_search t(modeller, options.max_panels, 1);
     t.local_options = accuracy();
-    while (m.faults > 0 && t.repair_once(m)) {
+    for (int round = 0; round < 2; ++round) {
+      while (m.faults > 0 && t.repair_once(m)) {
+      }
+      modeller.improve_all(m, accuracy());
+      if (m.faults == 0) break;
     }
-    modeller.improve_all(m, accuracy());
     return true;
   }
 
-  void search(Panel_model& m)
+  /// Chains of improvements and kicks; in the end the best is first.
+  void search(std::vector<Panel_model>& models)
   {
-    Teleport_search t(modeller, options.max_panels);
-    t.local_options = accuracy();
-    t.local_options.powers = {8, 32};
-    t.local_options.steps = 6;
-    while (t.trials < trial_budget() && !stopped(0.2 + 0.7 * t.trials / trial_budget()) && t.improve_once(m)) {
+    if (budget.chains == 0) return;
+    while (int(models.size()) > budget.chains) models.pop_back();
+    const std::size_t chains = models.size();
+    std::vector<Panel_model> best = models;
+    for (int round = 0; round < budget.rounds && !stopped(round); ++round) {
+      for_each_parallel(int(models.size()), threads, [&](int i) { run_chain(round, i, models[i], best[i]); });
+      sort_models(best);
+      // The better half goes on; with every round there are fewer chains, down to two.
+      if (best.size() > 2)
+        best.resize((std::max)(std::size_t(2), best.size() - (std::max)(std::size_t(1), chains / 4)));
+      models = best;
     }
-    modeller.improve_all(m, accuracy());
+    models = std::move(best);
+    modeller.improve_all(models[0], final_accuracy());
+  }
+
+  Accuracy_options final_accuracy() const
+  {
+    Accuracy_options a = accuracy();
+    a.powers = {16, 32, 64, 128};
+    a.steps = 20;
+    a.least_gain = 1e-4;
+    return a;
+  }
+
+  void run_chain(int round, int chain, Panel_model& m, Panel_model& best) const
+  {
+    Teleport_search t(modeller, options.max_panels, 1);
+    t.local_options = local_accuracy();
+    std::mt19937_64 random(options.seed * 1000003 + std::uint64_t(round) * 101 + std::uint64_t(chain));
+    while (t.trials < budget.trials && !out_of_time()) {
+      if (t.improve_once(m)) continue;
+      if (ranks_before(m, best)) best = m;
+      m = best;
+      if (!t.kick(m, random)) t.trials += 4;
+    }
+    if (ranks_before(m, best)) best = m;
+  }
+
+  /// What is too short or too narrow to be cut is removed.
+  void tidy(Panel_model& m)
+  {
+    Teleport_search t(modeller, options.max_panels, threads);
+    t.local_options = local_accuracy();
+    while (m.offences > 0 && t.tidy_once(m)) {
+    }
+    if (m.offences > 0) notes.push_back(std::to_string(m.offences) + " edges or panels are smaller than wanted");
   }
 
   /// Chords are mended, so that the mesh can follow; the model is adapted where that changed corners.
-  bool finish(const Label_costs& costs, Panel_model& m)
+  void mend(const Label_costs& costs, Panel_model& m)
   {
     Panel_labelling panels(c, m.labels);
     Panel_fits fits(costs, panels);
     panels.start_watching();
-    if (panels.number_of_local_problems() == 0) return true;
+    if (panels.number_of_local_problems() == 0) return;
     Panel_mender mender(panels, fits);
     mender.mend_all();
     if (panels.number_of_local_problems() > 0)
-      notes.push_back("some triangles of the mesh lie between corners of one edge of a panel");
+      notes.push_back("some triangles of the mesh have all their corners on one edge of a panel");
     Label_edit edit = no_edit(panels.labels(), m.panels());
     Panel_model mended;
     std::vector<char> touched;
-    if (!modeller.rebuild(&m, edit, mended, touched) || mended.faults > 0) return true;
+    if (!modeller.rebuild(&m, edit, mended, touched) || mended.faults > 0) return;
     Accuracy_options a = accuracy();
     a.powers = {32};
     modeller.improve(mended, with_ring(*mended.topology, touched), a);
     m = std::move(mended);
-    return true;
   }
 
-  static bool better(const Panel_model& a, const Panel_model& b)
+  static void sort_models(std::vector<Panel_model>& models)
   {
-    return a.faults != b.faults ? a.faults < b.faults : a.merit < b.merit;
+    std::stable_sort(models.begin(), models.end(),
+                     [](const Panel_model& a, const Panel_model& b) { return ranks_before(a, b); });
   }
 
-  bool stopped(double done)
+  bool out_of_time() const
   {
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (options.time_limit > 0 && seconds > options.time_limit) return true;
-    return progress && !progress((std::min)(done, 1.0));
+    return options.time_limit > 0 &&
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > options.time_limit;
+  }
+
+  bool stopped(int round)
+  {
+    if (out_of_time()) return true;
+    const double part = options.effort == Effort::best ? 1 - std::pow(0.9, round) : double(round) / budget.rounds;
+    return progress && !progress(0.15 + 0.8 * part);
   }
 
   const Input_surface& in;
   const Connectivity& c;
   Panel_search_options options;
+  Search_budget budget;
+  int threads;
   std::function<bool(double)> progress;
   Panel_modeller modeller;
   Points frame_points;

@@ -119,7 +119,12 @@ inline Flat_panels_result flat_panels_or_fewer(const Connectivity& c, const Poin
                                                std::vector<std::string>& notes)
 {
   const auto progress = [&](double done) { return visitor.progress("flat panels", done); };
-  Flat_panels_result flat = flat_panels(c, source, partitions, options, progress);
+  const auto obstacles = [&](const Flat_panels_result& candidate) {
+    Panel_mapping mapping(c, source, candidate.panel_of_face, candidate.complex);
+    mapping.repair();
+    return mapping.failed();
+  };
+  Flat_panels_result flat = flat_panels(c, source, partitions, options, progress, obstacles);
   options.effort = Effort::fast;
   for (int k = options.max_panels; !flat.ok && k > fewest;) {
     k = (std::max)(fewest, k - (std::max)(1, k / 10));
@@ -131,7 +136,7 @@ inline Flat_panels_result flat_panels_or_fewer(const Connectivity& c, const Poin
     std::vector<std::vector<int>> fewer;
     for (std::vector<int> labels : partitions)
       if (make_panels(c, source, costs, labels, coarser).ok) fewer.push_back(labels);
-    flat = flat_panels(c, source, fewer, options, progress);
+    flat = flat_panels(c, source, fewer, options, progress, obstacles);
   }
   if (!flat.ok) throw std::runtime_error("no flat panels were found for this model");
   return flat;

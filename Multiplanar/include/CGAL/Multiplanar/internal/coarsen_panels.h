@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Multiplanar authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTIPLANAR_INTERNAL_COARSEN_PANELS_H
+#define CGAL_MULTIPLANAR_INTERNAL_COARSEN_PANELS_H
+
+#include <CGAL/Multiplanar/internal/initial_partitions.h>
+#include <CGAL/Multiplanar/internal/teleport.h>
+#include <CGAL/Multiplanar/label_costs.h>
+#include <CGAL/Multiplanar/panel_partition.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+// Thin and folded models have no flat panels near a partition into few pieces: polygons turn over and cut each other. Many
+// small panels are easily made flat, down to one per triangle, and from there neighbours are merged, cheapest first, each
+// merger only if the polygons stay simple and apart. It is slower than starting with few panels, and rarely fails.
+
+namespace CGAL {
+namespace Multiplanar {
+namespace internal {
+
+class Panel_coarsening
+{
+public:
+  Panel_coarsening(const Panel_modeller& modeller, const Label_costs& costs, const Points& points,
+                   const Accuracy_options& accuracy, std::uint64_t seed)
+      : modeller(modeller), c(modeller.connectivity()), costs(costs), points(points), accuracy(accuracy), seed(seed)
+  {}
+
+  /// A model without faults of at most `k` panels. \return false if none was found
+  bool run(int k, Panel_model& m) const
+  {
+    for (int pieces = 4 * k; pieces <= c.number_of_faces() && pieces <= 32 * k; pieces *= 2)
+      if (start(pieces, m) && reduce(k, m)) return true;
+    return false;
+  }
+
+private:
+  /// A faultless model of about so many panels.
+  bool start(int pieces, Panel_model& m) const
+  {
+    Face_cost cost(modeller.input(), 0.02);
+    std::vector<int> labels =
+        grow_partition(modeller.input(), modeller.moments_of_faces(), cost, pieces, seed, 1.5);
+    Panel_partition_options partition;
+    partition.max_panels = pieces;
+    const auto report = make_panels(c, points, costs, labels, partition);
+    std::vector<char> touched;
+    if (!report.ok || !modeller.rebuild(nullptr, no_edit(labels, report.panels), m, touched)) return false;
+    Teleport_search repairs(modeller, pieces);
+    repairs.local_options = accuracy;
+    for (int i = 0; i < pieces / 4 && m.faults > 0; ++i)
+      if (!repairs.repair_once(m)) return false;
+    return m.faults == 0;
+  }
+
+  /// Merges neighbours until there are at most `k` panels.
+  bool reduce(int k, Panel_model& m) const
+  {
+    Teleport_search search(modeller, k);
+    const int check = (std::max)(4, k / 4);
+    for (int merges = 1; m.panels() > k; ++merges) {
+      if (!merge_cheapest_pair(search, m)) return false;
+      if (merges % check == 0 && m.panels() < 4 * k) {
+        Accuracy_options few = accuracy;
+        few.powers = {4};
+        few.steps = 3;
+        modeller.improve_all(m, few);
+      }
+    }
+    return m.faults == 0;
+  }
+
+  bool merge_cheapest_pair(const Teleport_search& search, Panel_model& m) const
+  {
+    for (const auto& pair : search.cheapest_merges(m)) {
+      Label_edit edit = no_edit(m.labels, m.panels());
+      merge_labels(edit, pair.p, pair.q);
+      clip_ears(c, edit.labels);
+      Panel_model merged;
+      std::vector<char> touched;
+      if (!modeller.rebuild(&m, edit, merged, touched) || merged.faults > 0) continue;
+      m = std::move(merged);
+      return true;
+    }
+    return false;
+  }
+
+  const Panel_modeller& modeller;
+  const Connectivity& c;
+  const Label_costs& costs;
+  const Points& points;
+  Accuracy_options accuracy;
+  std::uint64_t seed;
+};
+
+} // namespace internal
+} // namespace Multiplanar
+} // namespace CGAL
+
+#endif // CGAL_MULTIPLANAR_INTERNAL_COARSEN_PANELS_H
