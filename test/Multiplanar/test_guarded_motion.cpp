@@ -1,9 +1,12 @@
 // Copyright (c) 2026 The Multiplanar authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#define CGAL_MULTIPLANAR_CHECK_EXPENSIVE // the whole mesh before and after every pass
+
 #include "guard_fixtures.h"
 
 #include <CGAL/Multiplanar/guarded_motion.h>
+#include <CGAL/Multiplanar/named_parameters.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 #include <gtest/gtest.h>

@@ -25,10 +25,10 @@ namespace Multiplanar {
 /// what blocked it has moved. Each vertex ends bitwise on its target, or part of the way there, or bitwise where it
 /// was. The connectivity does not change. The result depends on nothing but the arguments.
 ///
-/// One call does not search for a way around obstacles. For displacements of many edge lengths, call it several times
-/// with intermediate targets: vertices of a smooth displacement then rarely stand in each other's way.
+/// There is no search for ways around obstacles. Displacements of many edge lengths are handled in one call too, but
+/// cost time, since the region that a triangle may sweep then holds many others; intermediate targets help.
 ///
-/// \tparam TriangleMesh a model of `MutableFaceGraph` (only read here) and `VertexListGraph`.
+/// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`.
 /// \tparam TargetPointMap a model of `ReadablePropertyMap` with the mesh's vertex descriptor as key type and its point
 ///         type as value type.
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters".
@@ -47,18 +47,18 @@ namespace Multiplanar {
 ///
 /// Expected time O(F log F) for displacements of the order of an edge length; 0.03 s for 10,000 faces.
 /// \see Multiplanar::internal::Guarded_motion, which keeps its buffers from pass to pass.
-template <class TriangleMesh, class TargetPointMap, class NamedParameters = parameters::Default_named_parameters>
+template <class TriangleMesh, class TargetPointMap, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Guard_statistics guarded_move(TriangleMesh& mesh, TargetPointMap target_point_map,
-                              const NamedParameters& np = parameters::default_values())
+                              const NamedParameters& np = CGAL::parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  using Geom_traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using Geom_traits = typename CGAL::GetGeomTraits<TriangleMesh, NamedParameters>::type;
   static_assert(std::is_same<typename Geom_traits::FT, double>::value,
                 "guarded motion works on doubles: no other positions could be written back as they were tested");
-  auto point_map =
-      choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(CGAL::vertex_point, mesh));
-  const int rounds = int(choose_parameter(get_parameter(np, internal_np::number_of_iterations), 4));
+  auto point_map = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                    CGAL::get_property_map(CGAL::vertex_point, mesh));
+  const int rounds = int(choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 4));
   if (rounds < 1) throw std::invalid_argument("number_of_iterations must be at least 1");
 
   const internal::Connectivity connectivity = internal::make_connectivity(mesh);

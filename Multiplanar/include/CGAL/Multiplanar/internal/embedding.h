@@ -10,6 +10,7 @@
 #include <boost/iterator/function_output_iterator.hpp>
 
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -66,6 +67,7 @@ inline std::optional<std::pair<int, int>> find_embedding_fault(const Connectivit
 {
   CGAL_precondition(int(points.size()) == connectivity.number_of_vertices());
   const int faces = connectivity.number_of_faces();
+  if (faces == 0) return std::nullopt;
   for (int f = 0; f < faces; ++f) {
     const auto& t = connectivity.triangles[f];
     for (int v : t)
@@ -77,7 +79,9 @@ inline std::optional<std::pair<int, int>> find_embedding_fault(const Connectivit
   for (int f = 0; f < faces; ++f) boxes[f] = swept_box(connectivity, points, points, f);
   Swept_aabb_tree tree;
   build_swept_tree(tree, boxes);
-  for (int f = 0; f < faces; ++f) {
+  std::vector<int> order; // that of the tree: faces asked for in turn are near each other, and in the cache
+  tree.all_intersected_primitives(tree.bbox(), std::back_inserter(order));
+  for (int f : order) {
     int fault = -1;
     const auto test = [&](int g) {
       if (g > f && fault < 0 && !meet_in_shared_simplex(points, connectivity.triangles[f], connectivity.triangles[g]))
