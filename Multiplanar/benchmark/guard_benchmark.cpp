@@ -6,13 +6,13 @@
 // Usage: guard_benchmark mesh.off ...   (closed meshes; sizes of one shape give growth exponents)
 //
 // All vertices move, by a smooth random field whose largest displacement is a multiple of the mean edge length. A line
-// gives the medians of several passes: broad phase (swept boxes, tree, candidate pairs, clearance), narrow phase (the
-// moves), and what happened. Then: the candidate pairs by tree and by box_intersection_d, in the same run, and the
-// check of the whole mesh beside CGAL's own.
+// gives the medians of several passes: processor time of the whole (one thread), elapsed time of the broad phase (swept
+// boxes, tree, candidate pairs, clearance) and of the narrow phase (the moves), and what happened. Then: the candidate
+// pairs by tree and by box_intersection_d, in the same run, and the check of the whole mesh beside CGAL's own.
 
 #include <CGAL/Multiplanar/internal/Guarded_motion.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Real_timer.h>
+#include <CGAL/Timer.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/box_intersection_d.h>
@@ -44,7 +44,7 @@ double median_seconds(F f)
 {
   std::vector<double> seconds;
   for (int i = 0; i < repetitions; ++i) {
-    CGAL::Real_timer timer;
+    CGAL::Timer timer;
     timer.start();
     f();
     seconds.push_back(timer.time());
@@ -100,14 +100,14 @@ double pass(const Connectivity& c, const Points& points, const Size& size, const
   for (int i = 0; i < repetitions; ++i) {
     Points moved = points;
     total.push_back(-1);
-    CGAL::Real_timer timer;
+    CGAL::Timer timer;
     timer.start();
     s = guard.move(moved, targets);
     total.back() = timer.time();
     broad.push_back(s.broad_seconds);
     narrow.push_back(s.narrow_seconds);
   }
-  std::printf("  %-7s %6.3f edges: %8.4f s = broad %.4f + narrow %.4f; %zu moved, %zu partial, %zu refused; "
+  std::printf("  %-7s %6.3f edges: %8.4f s cpu; elapsed: broad %.4f, narrow %.4f; %zu moved, %zu partial, %zu refused; "
               "%zu pairs, %.2f%% cleared, %zu exact tests, %d rounds\n",
               size.name, size.edges, median(total), median(broad), median(narrow), s.moved, s.partial, s.refused,
               s.candidate_pairs, 100. * double(s.skipped_by_clearance) / double(s.candidate_pairs), s.exact_tests,
