@@ -8,6 +8,7 @@
 #include <CGAL/Multiplanar/Part.h>
 #include <CGAL/Multiplanar/Sheet.h>
 
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <string>
@@ -89,6 +90,21 @@ inline std::string edge_id(const Panel_complex& complex, int edge)
 inline std::string sheet_file(int sheet, const char* extension)
 {
   return "sheets/sheet-" + std::to_string(sheet + 1) + "." + extension;
+}
+
+/// The length of the edges that have a joint, as a part of the length of all, in 0..1; 0 if there are no joints.
+inline double joined_share(const Model& model)
+{
+  double joined = 0, total = 0;
+  for (int e = 0; e < int(model.joints.size()); ++e) {
+    const auto& edge = model.complex.edges[e];
+    if (edge.is_closed()) continue;
+    const Point_3 &a = model.complex.corners[edge.corners[0]].point, &b = model.complex.corners[edge.corners[1]].point;
+    const double length = std::sqrt(CGAL::squared_distance(a, b));
+    total += length;
+    if (model.joints[e].kind != Edge_joint::Kind::none) joined += length;
+  }
+  return total > 0 ? joined / total : 0;
 }
 
 /// The complex with all lengths multiplied by `scale`; nothing is moved or turned. \pre `scale` > 0
