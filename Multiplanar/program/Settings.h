@@ -11,16 +11,22 @@
 
 #include <string>
 
+namespace CGAL {
+namespace Multiplanar {
+enum class Joint_mode; // in Joint_options.h, which takes long to compile
+}
+} // namespace CGAL
+
 /// What the command line asks for.
 struct Settings
 {
-  std::string command; ///< make, approximate or fabricate
+  std::string command; ///< make, approximate, fabricate or verify
   std::string input, output;
   std::string saliency_file; ///< empty: none
   CGAL::Multiplanar::Approximation_options approximation;
   CGAL::Multiplanar::Model_settings model;
   CGAL::Multiplanar::Sheet_options sheet;
-  bool wants_joints = true;
+  CGAL::Multiplanar::Joint_mode joints = CGAL::Multiplanar::Joint_mode(); ///< automatic
   Progress::Style progress = Progress::Style::lines;
 };
 

@@ -48,6 +48,7 @@ void check_material(const Settings& s)
   require_measure("--size", s.model.size, 1, 100000);
   require_measure("--thickness", s.model.thickness, 0.01, 1000);
   require_measure("--kerf", s.model.kerf, 0, 5);
+  require_measure("--fit", s.model.fit, 0, 1);
   if (s.model.thickness >= s.model.size)
     throw input_error("--thickness " + text(s.model.thickness) + ": not thinner than the model, whose --size is " +
                       text(s.model.size) + " mm");

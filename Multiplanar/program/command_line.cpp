@@ -6,6 +6,8 @@
 #include "failure.h"
 #include "number_parsing.h"
 
+#include <CGAL/Multiplanar/Joint_options.h>
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -20,13 +22,13 @@
 namespace {
 
 using CGAL::Multiplanar::Effort;
+using CGAL::Multiplanar::Joint_mode;
 using CGAL::Multiplanar::Solver;
 
 /// Options and commands of the documented interface that cannot do their work yet.
-const std::vector<std::string> missing_options = {"--fit",    "--material", "--palette", "--dpi",
-                                                  "--repair", "--preview",  "--source"};
+const std::vector<std::string> missing_options = {"--material", "--palette", "--dpi",
+                                                  "--repair",   "--preview", "--source"};
 const std::map<std::string, std::string> missing_commands = {
-    {"verify", "check a written model by digital assembly (not available yet)"},
     {"compare", "compare with other methods (not available yet)"},
     {"preview", "pictures of a written model (not available yet)"}};
 
@@ -66,10 +68,11 @@ void add_fabrication_options(CLI::App& app, Settings& s, Raw_values& raw)
   app.add_option("--size", s.model.size, "longest side of the finished model (300)")->type_name("MM");
   app.add_option("--thickness", s.model.thickness, "of the material (3)")->type_name("MM");
   app.add_option("--kerf", s.model.kerf, "full width of the cut (0.15)")->type_name("MM");
+  app.add_option("--fit", s.model.fit, "how much wider than its slot a tab is cut (0.05)")->type_name("MM");
   app.add_option("--sheet", raw.sheet, "size of the material (600x400)")->type_name("WxH");
-  app.add_option("--joints", raw.joints, "auto or none (auto)")->type_name("NAME");
+  app.add_option("--joints", raw.joints, "auto, connectors, teeth or none (auto)")->type_name("NAME");
   app.add_option("--engrave", raw.engrave, "ids inside or outside of the model (inside)")->type_name("NAME");
-  for (const char* name : {"--size", "--thickness", "--kerf", "--sheet", "--joints", "--engrave"})
+  for (const char* name : {"--size", "--thickness", "--kerf", "--fit", "--sheet", "--joints", "--engrave"})
     app.get_option(name)->group("Cutting");
 }
 
@@ -131,9 +134,11 @@ void read_choices(const Raw_values& raw, Settings& s)
                                           {{"fast", Effort::fast}, {"normal", Effort::normal}, {"best", Effort::best}});
   s.approximation.solver = chosen<Solver>(
       "--solver", raw.solver, {{"auto", Solver::automatic}, {"ceres", Solver::ceres}, {"direct", Solver::direct}});
-  if (raw.joints == "connectors" || raw.joints == "teeth")
-    throw usage_error("--joints " + raw.joints + " is not available yet: leave it out");
-  s.wants_joints = chosen<bool>("--joints", raw.joints, {{"auto", true}, {"none", false}});
+  s.joints = chosen<Joint_mode>("--joints", raw.joints,
+                                {{"auto", Joint_mode::automatic},
+                                 {"connectors", Joint_mode::connectors},
+                                 {"teeth", Joint_mode::teeth},
+                                 {"none", Joint_mode::none}});
   s.sheet.mirrored = chosen<bool>("--engrave", raw.engrave, {{"inside", true}, {"outside", false}});
   s.progress = progress_style(raw);
 }
@@ -149,7 +154,7 @@ void copy_shared_values(Settings& s)
 void refuse_missing(const CLI::App& command)
 {
   if (missing_commands.count(command.get_name()) > 0)
-    throw usage_error(command.get_name() + " is not available yet: make, approximate and fabricate are");
+    throw usage_error(command.get_name() + " is not available yet: make, approximate, fabricate and verify are");
   for (const std::string& name : missing_options)
     if (command.get_option_no_throw(name) != nullptr && command.count(name) > 0)
       throw usage_error(name + " is not available yet: leave it out");
@@ -178,6 +183,9 @@ std::optional<Settings> parse_command_line(int argc, char** argv)
   CLI::App* fabricate = app.add_subcommand("fabricate", "from such a PLY to sheets ready to cut");
   add_files(*fabricate, s, "PLY that approximate or make wrote", "folder to write");
   add_fabrication_options(*fabricate, s, raw);
+  CLI::App* verify = app.add_subcommand("verify", "checks what make or fabricate wrote by digital assembly");
+  verify->add_option("DIR", s.input, "folder that make or fabricate wrote")->required()->type_name("");
+  verify->footer("");
   for (CLI::App* command : {make, approximate, fabricate}) {
     add_run_options(*command, s, raw);
     command->footer("");

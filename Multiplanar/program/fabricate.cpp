@@ -9,12 +9,13 @@
 #include <CGAL/Multiplanar/io/write_model_json.h>
 #include <CGAL/Multiplanar/io/write_panels_obj.h>
 #include <CGAL/Multiplanar/io/write_svg.h>
-#include <CGAL/Multiplanar/parts_from_panels.h>
+#include <CGAL/Multiplanar/parts_from_joints.h>
 #include <CGAL/Multiplanar/row_packing.h>
 
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <utility>
 
 using namespace CGAL::Multiplanar;
 
@@ -29,8 +30,8 @@ std::vector<Sheet> pack(const std::vector<Part>& parts, const Settings& s)
   } catch (const Part_too_large& error) {
     char text[256];
     std::snprintf(text, sizeof text,
-                  "%s: part %s is %.1f x %.1f mm and does not fit a sheet of %g x %g mm: the largest --size that fits "
-                  "is %g",
+                  "%s: part %s is %.1f x %.1f mm and does not fit a sheet of %g x %g mm: take larger sheets, or "
+                  "--size %g",
                   s.input.c_str(), error.id.c_str(), error.width, error.height, s.sheet.width, s.sheet.height,
                   std::floor(error.factor * s.model.size * 10 * (1 - 1e-9)) / 10);
     throw input_error(text);
@@ -45,6 +46,23 @@ void warn_of_blank_parts(const std::vector<std::string>& blank, std::vector<std:
   warnings.push_back("too small for an engraved id:" + list);
 }
 
+/// Makes the parts and joins them.
+void join_parts(Model& model, const Settings& s, std::vector<std::string>& warnings)
+{
+  Joint_options options;
+  options.thickness = s.model.thickness;
+  options.mode = s.joints;
+  Joined_parts joined = make_joined_parts(model.complex, options);
+  if (joined.parts.empty())
+    throw input_error(s.input + ": nothing is left of its panels at this --size and --thickness: make the model larger "
+                                "or the material thinner");
+  model.parts = std::move(joined.parts);
+  model.joints = std::move(joined.joints);
+  if (s.joints == Joint_mode::none)
+    for (Edge_joint& joint : model.joints) joint.reason = "no joints were asked for";
+  warnings.insert(warnings.end(), joined.warnings.begin(), joined.warnings.end());
+}
+
 } // namespace
 
 Model make_model(const Panel_complex& complex, const Settings& s, std::vector<std::string>& warnings)
@@ -54,10 +72,7 @@ Model make_model(const Panel_complex& complex, const Settings& s, std::vector<st
   model.settings = s.model;
   model.scale = s.model.size / longest_side(complex);
   model.complex = scaled(complex, model.scale);
-  Edge_joint none;
-  none.reason = s.wants_joints ? "connectors and teeth are not available yet" : "no joints were asked for";
-  model.joints.assign(model.complex.number_of_edges(), none);
-  model.parts = parts_from_panels(model.complex, warnings);
+  join_parts(model, s, warnings);
   model.sheets = pack(model.parts, s);
   warn_of_blank_parts(engrave_ids(model.parts, model.sheets, smallest_letter, largest_letter), warnings);
   return model;
@@ -66,7 +81,7 @@ Model make_model(const Panel_complex& complex, const Settings& s, std::vector<st
 void write_model(Output& output, const Model& model, Report& report)
 {
   for (int i = 0; i < int(model.sheets.size()); ++i) {
-    const Sheet_drawing drawing = draw_sheet(model.sheets[i], model.parts, model.settings.kerf);
+    const Sheet_drawing drawing = draw_sheet(model.sheets[i], model.parts, model.settings.kerf, model.settings.fit);
     report.warnings.insert(report.warnings.end(), drawing.warnings.begin(), drawing.warnings.end());
     output.write(sheet_file(i, "svg"), [&](std::ostream& out) { write_svg(out, drawing); });
   }

@@ -39,6 +39,7 @@ void run(const Settings& settings, Progress& progress)
   if (settings.command == "make") make(settings, progress);
   if (settings.command == "approximate") approximate(settings, progress);
   if (settings.command == "fabricate") fabricate(settings, progress);
+  if (settings.command == "verify") verify(settings);
 }
 
 /// What was printed has to arrive, unless nobody reads it any more.

@@ -14,6 +14,17 @@ double percent_of_diagonal(const Report& report, double distance)
   return report.input.diagonal > 0 ? 100 * distance / report.input.diagonal : 0;
 }
 
+std::string joints_in_words(const Model& model)
+{
+  int count[3] = {0, 0, 0};
+  for (const Edge_joint& joint : model.joints) ++count[int(joint.kind)];
+  char text[160];
+  std::snprintf(text, sizeof text, "%d edges with connectors, %d with teeth, %d not joined; joined length: %.0f %%",
+                count[int(Edge_joint::Kind::connector)], count[int(Edge_joint::Kind::teeth)],
+                count[int(Edge_joint::Kind::none)], 100 * joined_share(model));
+  return text;
+}
+
 void print_words(const Report& report, const Model& model, double seconds, const std::string& output,
                  const std::string& look_at)
 {
@@ -22,6 +33,7 @@ void print_words(const Report& report, const Model& model, double seconds, const
   if (report.accuracy)
     std::printf("Hausdorff distance to the input: %.2f %% of its diagonal\n",
                 percent_of_diagonal(report, report.accuracy->hausdorff));
+  if (!model.joints.empty()) std::printf("%s\n", joints_in_words(model).c_str());
   if (!model.sheets.empty())
     std::printf("%zu parts on %zu sheets of %g x %g mm, %.0f %% used\n", model.parts.size(), model.sheets.size(),
                 model.sheets[0].width, model.sheets[0].height, 100 * utilisation(model.sheets, model.parts));
@@ -39,6 +51,7 @@ void print_json(const Report& report, const Model& model, double seconds, const 
                          {"corners", model.complex.number_of_corners()},
                          {"edges", model.complex.number_of_edges()}};
   if (report.accuracy) json["hausdorff_percent"] = percent_of_diagonal(report, report.accuracy->hausdorff);
+  if (!model.joints.empty()) json["joined_share"] = joined_share(model);
   json["sheets"] = model.sheets.size();
   json["warnings"] = report.warnings;
   json["seconds"] = seconds;

@@ -63,6 +63,21 @@ std::vector<std::array<int, 3>> from_smallest(std::vector<std::array<int, 3>> tr
   return triangles;
 }
 
+/// \pre no panel fell apart
+std::size_t number_of_panel_parts(const json& model)
+{
+  std::size_t count = 0;
+  for (const json& part : model["parts"]) count += part["kind"] == "panel";
+  return count;
+}
+
+std::set<std::string> kinds_of_joints(const json& model)
+{
+  std::set<std::string> kinds;
+  for (const json& edge : model["edges"]) kinds.insert(edge["joint"].get<std::string>());
+  return kinds;
+}
+
 } // namespace
 
 TEST_F(Program_test, help_and_version_succeed)
@@ -116,11 +131,10 @@ TEST_F(Program_test, wrong_usage_is_refused_with_one_line)
 TEST_F(Program_test, what_is_not_built_yet_is_refused_not_ignored)
 {
   const std::string mesh = write("m.off", off_text(sphere()));
-  std::vector<std::vector<std::string>> missing = {
-      {"verify", path("out")}, {"compare", mesh, "-k", "30,50", "--tsv"}, {"preview", path("out")}};
+  std::vector<std::vector<std::string>> missing = {{"compare", mesh, "-k", "30,50", "--tsv"}, {"preview", path("out")}};
   const std::vector<std::vector<std::string>> options = {
-      {"--fit", "0.1"}, {"--material", "plywood"}, {"--palette", "lightburn"}, {"--dpi", "300"},        {"--repair"},
-      {"--preview"},    {"--joints", "teeth"},     {"--joints", "connectors"}, {"--source", "mesh.obj"}};
+      {"--material", "plywood"}, {"--palette", "lightburn"}, {"--dpi", "300"}, {"--repair"}, {"--preview"},
+      {"--source", "mesh.obj"}};
   for (const auto& option : options) {
     missing.push_back({"make", mesh, "-o", path("out")});
     missing.back().insert(missing.back().end(), option.begin(), option.end());
@@ -137,8 +151,9 @@ TEST_F(Program_test, absurd_measures_are_refused)
 {
   const std::string mesh = write("m.off", off_text(sphere()));
   const std::vector<std::vector<std::string>> absurd = {
-      {"--size", "-5"},   {"--size", "nan"},       {"--size", "1e12"},   {"--thickness", "0"}, {"--thickness", "400"},
-      {"--kerf", "-0.1"}, {"--sheet", "-600x400"}, {"--sheet", "600x0"}, {"--kerf", "inf"}};
+      {"--size", "-5"},       {"--size", "nan"},  {"--size", "1e12"},      {"--thickness", "0"},
+      {"--thickness", "400"}, {"--kerf", "-0.1"}, {"--sheet", "-600x400"}, {"--sheet", "600x0"},
+      {"--kerf", "inf"},      {"--fit", "-0.1"},  {"--fit", "nan"}};
   for (const auto& option : absurd) {
     const Outcome outcome = run({"make", mesh, "-o", path("out"), option[0], option[1]});
     EXPECT_EQ(outcome.code, 3) << ::testing::PrintToString(option) << outcome.err;
@@ -170,7 +185,8 @@ TEST_F(Program_test, make_writes_all_that_it_promises)
   const auto panels = panels_of(shell);
   EXPECT_LE(model["panels"].size(), 14u);
   EXPECT_EQ(std::set<int>(panels.begin(), panels.end()).size(), model["panels"].size());
-  EXPECT_EQ(model["parts"].size(), model["panels"].size());
+  EXPECT_EQ(model["settings"]["fit"], 0.05);
+  EXPECT_EQ(number_of_panel_parts(model), model["panels"].size());
 
   // Every vertex of the mesh, scaled, lies in the plane of its panel.
   const double scale = model["input"]["scale"];
@@ -217,6 +233,52 @@ TEST_F(Program_test, fabricate_repeats_what_make_did)
   EXPECT_EQ(a["sheets"].size(), b["sheets"].size());
 }
 
+TEST_F(Program_test, every_kind_of_joint_passes_the_digital_assembly)
+{
+  const std::string input = write("m.off", off_text(cube(2)));
+  ASSERT_EQ(run({"approximate", input, "-o", path("shell.ply"), "-k", "6", "--effort", "fast"}).code, 0);
+  const std::vector<std::pair<std::string, std::set<std::string>>> kinds = {
+      {"auto", {"connector"}}, {"connectors", {"connector"}}, {"teeth", {"teeth"}}, {"none", {"none"}}};
+  for (const auto& kind : kinds) {
+    ASSERT_EQ(run({"fabricate", path("shell.ply"), "-o", path("out"), "--joints", kind.first, "--size", "150", "--fit",
+                   "0.1"})
+                  .code,
+              0);
+    const json model = json::parse(content(path("out/model.json"))),
+               report = json::parse(content(path("out/report.json")));
+    EXPECT_EQ(kinds_of_joints(model), kind.second) << kind.first;
+    EXPECT_EQ(report["joints"]["joined_share"], kind.first == "none" ? 0. : 1.);
+    const Outcome outcome = run({"verify", path("out")});
+    EXPECT_EQ(outcome.code, 0) << kind.first << "\n" << outcome.out << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    if (kind.first == "none") {
+      EXPECT_EQ(model["edges"][0]["reason"], "no joints were asked for");
+    }
+  }
+}
+
+TEST_F(Program_test, what_make_wrote_passes_the_digital_assembly_until_it_is_changed)
+{
+  const std::string input = write("m.off", off_text(sphere()));
+  ASSERT_EQ(run({"make", input, "-o", path("out"), "-k", "12", "--effort", "fast", "--size", "200"}).code, 0);
+  const Outcome good = run({"verify", path("out")});
+  EXPECT_EQ(good.code, 0) << good.out << good.err;
+
+  const std::string text = content(path("out/model.json"));
+  json model = json::parse(text);
+  model["settings"]["kerf"] = 0.3;
+  write("out/model.json", model.dump());
+  const Outcome broken = run({"verify", path("out")});
+  EXPECT_EQ(broken.code, 1);
+  EXPECT_NE(broken.out.find("violation: "), std::string::npos);
+  EXPECT_EQ(broken.error_lines(), 1);
+
+  write("out/model.json", text.substr(0, text.size() / 2));
+  EXPECT_EQ(run({"verify", path("out")}).code, 3);
+  EXPECT_EQ(run({"verify", path("nowhere")}).code, 3);
+  EXPECT_EQ(run({"verify"}).code, 2);
+}
+
 TEST_F(Program_test, two_runs_write_the_same_bytes)
 {
   const std::string input = write("m.off", off_text(sphere()));
@@ -237,13 +299,13 @@ TEST_F(Program_test, a_part_too_large_names_the_size_that_fits)
   EXPECT_EQ(refused.code, 3);
   EXPECT_EQ(refused.error_lines(), 1);
   EXPECT_NE(refused.err.find("part P"), std::string::npos) << refused.err;
-  const std::size_t at = refused.err.find("that fits is ");
+  const std::size_t at = refused.err.find("or --size ");
   ASSERT_NE(at, std::string::npos) << refused.err;
-  const double largest = std::stod(refused.err.substr(at + 13));
-  EXPECT_LT(largest, 300);
-  arguments.back() = std::to_string(largest);
+  const double size = std::stod(refused.err.substr(at + 10));
+  EXPECT_LT(size, 300);
+  arguments.back() = std::to_string(size);
   EXPECT_EQ(run(arguments).code, 0);
-  arguments.back() = std::to_string(largest + 0.2);
+  arguments.back() = std::to_string(size * 1.3);
   EXPECT_EQ(run(arguments).code, 3);
 }
 

@@ -179,6 +179,71 @@ TEST(Kerf, arcs_have_short_chords)
   EXPECT_GT(chords, 200); // a full turn of radius 0.4
 }
 
+namespace {
+
+/// A rectangle of 30 x 20 with a tab of 8 x 3 on its upper side; the tab is tabs[0].
+Part tabbed_part()
+{
+  Part result = part("C1", {Point_2(0, 0), Point_2(30, 0), Point_2(30, 20), Point_2(19, 20), Point_2(19, 23),
+                            Point_2(11, 23), Point_2(11, 20), Point_2(0, 20)});
+  result.tabs = {{3, 6}};
+  return result;
+}
+
+} // namespace
+
+TEST(Press_fit, a_tab_grows_on_both_flanks_and_no_longer)
+{
+  const double fit = 0.1;
+  const Outline grown = press_fit_outline(tabbed_part(), fit);
+  EXPECT_TRUE(is_simple_outline(grown));
+  EXPECT_NEAR(twice_signed_area(grown) / 2, 624 + 3 * fit, 1e-9);
+  double left = 1e9, right = -1e9, high = 0;
+  for (const Point_2& p : grown)
+    if (p.y() > 20.5) left = std::min(left, p.x()), right = std::max(right, p.x()), high = std::max(high, p.y());
+  EXPECT_NEAR(right - left, 8 + fit, 1e-9);
+  EXPECT_NEAR(left + right, 30, 1e-9);
+  EXPECT_EQ(high, 23);
+}
+
+TEST(Press_fit, a_turned_tab_grows_as_much)
+{
+  for (int degrees = 0; degrees < 360; degrees += 7) {
+    Placement turn;
+    turn.rotation = degrees;
+    Part turned = tabbed_part();
+    for (Point_2& p : turned.outline) p = turn(p);
+    std::rotate(turned.outline.begin(), turned.outline.begin() + 5, turned.outline.end()); // the range wraps around
+    turned.tabs = {{6, 1}};
+    const Outline grown = press_fit_outline(turned, 0.1);
+    EXPECT_NEAR(twice_signed_area(grown) / 2, 624.3, 1e-9) << degrees;
+    const Cut_paths paths = compensate_kerf(grown, {}, 0.2);
+    EXPECT_TRUE(paths.inner.empty());
+    EXPECT_TRUE(is_simple_outline(paths.outer));
+  }
+}
+
+TEST(Press_fit, without_fit_or_tabs_nothing_changes)
+{
+  Part part = tabbed_part();
+  EXPECT_EQ(press_fit_outline(part, 0), part.outline);
+  part.tabs.clear();
+  EXPECT_EQ(press_fit_outline(part, 0.1), part.outline);
+}
+
+TEST(Press_fit, drawings_have_it_where_the_part_has_tabs)
+{
+  const std::vector<Part> parts = {tabbed_part()};
+  Sheet sheet;
+  sheet.width = 100, sheet.height = 100;
+  sheet.placements.resize(1);
+  sheet.placements[0].part = 0;
+  const auto drawn = [&](double fit) {
+    return twice_signed_area(draw_sheet(sheet, parts, 0.2, fit).parts[0].outer[0]) / 2;
+  };
+  EXPECT_NEAR(drawn(0.1) - drawn(0), 0.1 * 3, 1e-3);
+}
+
 TEST(Placement, mirrors_then_turns_then_shifts)
 {
   Placement placement;

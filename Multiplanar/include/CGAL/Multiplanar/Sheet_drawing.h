@@ -7,6 +7,7 @@
 #include <CGAL/Multiplanar/Sheet.h>
 #include <CGAL/Multiplanar/io/stroke_font.h>
 #include <CGAL/Multiplanar/kerf_compensation.h>
+#include <CGAL/Multiplanar/press_fit.h>
 
 #include <cmath>
 #include <string>
@@ -70,28 +71,28 @@ inline void draw_text(const Engraving& e, const Placement& placement, std::vecto
   }
 }
 
-/// The paths of a part, compensated for the kerf where its loops are simple.
-inline Cut_paths paths_of_part(const Part& part, double kerf, std::vector<std::string>& warnings)
+/// The paths of a part, with its tabs grown and compensated for the kerf where its loops are simple.
+inline Cut_paths paths_of_part(const Part& part, double kerf, double fit, std::vector<std::string>& warnings)
 {
   bool simple = is_simple_outline(part.outline);
   for (const Outline& hole : part.holes) simple = simple && is_simple_outline(hole);
   if (!simple) {
-    warnings.push_back("part " + part.id + " has an outline that crosses itself: drawn without kerf compensation");
+    warnings.push_back("part " + part.id + " has an outline that crosses itself: drawn without fit and kerf");
     return {part.outline, part.holes};
   }
-  Cut_paths paths = compensate_kerf(part.outline, part.holes, kerf);
+  Cut_paths paths = compensate_kerf(press_fit_outline(part, fit), part.holes, kerf);
   if (paths.inner.size() < part.holes.size())
     warnings.push_back("part " + part.id + " has a hole narrower than the kerf: it cannot be cut");
   return paths;
 }
 
-inline Part_drawing draw_part(const Part& part, const Placement& placement, double kerf,
+inline Part_drawing draw_part(const Part& part, const Placement& placement, double kerf, double fit,
                               std::vector<std::string>& warnings)
 {
   Part_drawing drawing;
   drawing.id = part.id;
   for (const Engraving& e : part.engraving) draw_text(e, placement, drawing.engraving);
-  const Cut_paths paths = paths_of_part(part, kerf, warnings);
+  const Cut_paths paths = paths_of_part(part, kerf, fit, warnings);
   drawing.outer.push_back(drawn_path(paths.outer, placement));
   for (const Outline& path : paths.inner) drawing.inner.push_back(drawn_path(path, placement));
   bool simple = true;
@@ -106,20 +107,21 @@ inline Part_drawing draw_part(const Part& part, const Placement& placement, doub
 /*!
 \ingroup PkgMultiplanarSheets
 
-The lines of `sheet`: its parts placed, kerf-compensated, rounded to 1e-5 mm, and checked again for being simple after
-that.
+The lines of `sheet`: its parts placed, their tabs grown by the fit, kerf-compensated, rounded to 1e-5 mm, and checked
+again for being simple after that.
 
 \param parts the list that the sheet's placements refer to
 \param kerf full width of the cut in mm
+\param fit how much wider than its slot a tab is cut, in mm
 */
-inline Sheet_drawing draw_sheet(const Sheet& sheet, const std::vector<Part>& parts, double kerf)
+inline Sheet_drawing draw_sheet(const Sheet& sheet, const std::vector<Part>& parts, double kerf, double fit = 0)
 {
   Sheet_drawing drawing;
   drawing.width = sheet.width;
   drawing.height = sheet.height;
   for (const Placement& p : sheet.placements) {
     CGAL_precondition(p.part >= 0 && p.part < int(parts.size()));
-    drawing.parts.push_back(internal::draw_part(parts[p.part], p, kerf, drawing.warnings));
+    drawing.parts.push_back(internal::draw_part(parts[p.part], p, kerf, fit, drawing.warnings));
   }
   return drawing;
 }

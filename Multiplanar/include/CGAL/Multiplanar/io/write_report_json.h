@@ -98,7 +98,7 @@ inline Json json_accuracy(const Accuracy& a, double diagonal)
   return json;
 }
 
-/// How many edges have each kind of joint, and the unjoined ones by reason.
+/// How many edges have each kind of joint, what share of their length is joined, and the unjoined ones by reason.
 inline Json json_joints(const Model& model)
 {
   Json counts = {{"connector", 0}, {"teeth", 0}, {"none", 0}};
@@ -110,7 +110,7 @@ inline Json json_joints(const Model& model)
   }
   Json reasons = Json::array();
   for (const auto& item : unjoined) reasons.push_back({{"reason", item.first}, {"edges", item.second}});
-  return {{"by_kind", counts}, {"unjoined", reasons}};
+  return {{"by_kind", counts}, {"joined_share", joined_share(model)}, {"unjoined", reasons}};
 }
 
 } // namespace internal
