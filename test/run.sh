@@ -6,7 +6,7 @@ top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 "$top/package_info/Multiplanar/install_packages.sh"
 
 build=$top/build-test
-cmake -G Ninja -S "$top" -B "$build" -DCMAKE_BUILD_TYPE=Release -DMULTIPLANAR_BENCHMARKS=ON \
+cmake -G Ninja -S "$top" -B "$build" -DCMAKE_BUILD_TYPE=Release \
       -DCMAKE_CXX_COMPILER_LAUNCHER=ccache > /dev/null
 cmake --build "$build"
 

@@ -162,6 +162,15 @@ inline std::vector<std::array<Point_2, 3>> triangulated(const Outline& outline, 
   return result;
 }
 
+/// Is a triangle thicker than a nanometre? Thinner ones, whose vertices lie on a line up to rounding, are no solids.
+inline bool has_area(const std::array<Point_2, 3>& t)
+{
+  const double area = 2 * std::abs(CGAL::area(t[0], t[1], t[2]));
+  const double longest = (std::max)({CGAL::squared_distance(t[0], t[1]), CGAL::squared_distance(t[1], t[2]),
+                                     CGAL::squared_distance(t[2], t[0])});
+  return area > 1e-6 * std::sqrt(longest);
+}
+
 /// A part, eroded by a micrometre, as prisms.
 inline std::vector<Convex_solid> solids(const Part& part, double thickness)
 {
@@ -169,6 +178,7 @@ inline std::vector<Convex_solid> solids(const Part& part, double thickness)
   for (const Outline& hole : part.holes) holes.push_back(eroded(hole, micrometre));
   std::vector<Convex_solid> result;
   for (const auto& t : triangulated(eroded(part.outline, micrometre), holes)) {
+    if (!has_area(t)) continue;
     Points base;
     for (const Point_2& p : t) base.push_back(part.frame(p) - micrometre * part.frame.normal);
     result.emplace_back(base, -(thickness - 2 * micrometre) * part.frame.normal);

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <new>
 
 namespace {
@@ -220,6 +221,26 @@ TEST(Alpha_expansion, handles_what_is_hardly_a_problem)
                 .energy,
             -4);
   EXPECT_EQ(labelling, (Labels{0, 0, 0, 0}));
+}
+
+TEST(Alpha_expansion, infinite_costs_forbid_a_label)
+{
+  const double never = std::numeric_limits<double>::infinity();
+  for (int seed = 3000; seed < 3100; ++seed) {
+    std::mt19937_64 rng(seed);
+    Problem p = random_problem(rng, 9, 20, 3, true, 8);
+    Problem high = p; // the same with a cost so high that nobody pays it
+    for (int i = 0; i < 9; ++i) {
+      const int forbidden = i * 3 + draw(rng, 3);
+      p.cost.values[forbidden] = never;
+      high.cost.values[forbidden] = 1e6;
+      p.start[i] = (forbidden + 1) % 3;
+    }
+    Labels labelling = p.start, expected = p.start;
+    alpha_expansion(p.graph, 3, p.cost, labelling);
+    alpha_expansion(high.graph, 3, high.cost, expected);
+    EXPECT_EQ(labelling, expected) << "seed " << seed;
+  }
 }
 
 TEST(Alpha_expansion, stops_after_the_sweeps_allowed_and_goes_on_from_there)

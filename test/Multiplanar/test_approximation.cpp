@@ -214,7 +214,7 @@ TEST(Approximation, model_of_the_cgal_collection)
 {
   const char* folder = std::getenv("MULTIPLANAR_CGAL_DATA");
   if (!folder) GTEST_SKIP() << "MULTIPLANAR_CGAL_DATA names no folder";
-  const auto source = Multiplanar_test::read_off(std::string(folder) + "/meshes/elephant.off");
+  const auto source = Multiplanar_test::read_off(std::string(folder) + "/meshes/homer.off");
   const Outcome run = approximated(source, fast(40));
   expect_promises(source, run, 40);
   EXPECT_LT(run.result.hausdorff, 0.1 * diagonal(source));

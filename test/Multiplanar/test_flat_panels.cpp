@@ -245,7 +245,7 @@ TEST(Plane_corner_system, PerturbedCornersConvergeBack)
     for (auto& n : m.state.normal) n = (n + noise(random, 0.02)).normalized();
     const std::vector<char> all(m.state.normal.size(), 1);
     Plane_corner_system system(m.topology, all);
-    ASSERT_TRUE(first_fit(m.topology, m.moments, system, all, m.state, 1e-6, 30));
+    ASSERT_TRUE(first_fit(m.moments, system, all, m.state, 1e-6, 30));
     EXPECT_LT(flatness(m.topology, m.state), 1e-14);
     for (std::size_t i = 0; i < exact.corner.size(); ++i)
       EXPECT_LT((m.state.corner[i] - exact.corner[i]).norm(), 1e-3) << i; // the pull is not zero
@@ -288,7 +288,7 @@ TEST(Plane_corner_system, NearlyParallelPlanesDoNotMakeCornersFly)
     const std::vector<Vec3> before = m.state.corner;
     const std::vector<char> all(7, 1);
     Plane_corner_system system(m.topology, all);
-    ASSERT_TRUE(first_fit(m.topology, m.moments, system, all, m.state, 0.03)) << angle;
+    ASSERT_TRUE(first_fit(m.moments, system, all, m.state, 0.03)) << angle;
     EXPECT_LT(flatness(m.topology, m.state), 1e-12);
     for (std::size_t i = 0; i < before.size(); ++i) EXPECT_LT((m.state.corner[i] - before[i]).norm(), 0.02) << angle;
   }

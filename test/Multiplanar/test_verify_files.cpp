@@ -5,6 +5,8 @@
 
 #include "verify_test.h"
 
+#include <random>
+
 namespace {
 
 using namespace verify_test;
@@ -230,6 +232,55 @@ TEST_F(Verify_files, polygon_that_is_not_the_panel)
   expect_fault_in_file(
       "panels.obj", [](std::string& s) { replace(s, "\nf 1 3", "\nf 3 1"); }, 1,
       "violation: panels.obj: the polygon of P01 is not that of model.json");
+}
+
+// Hostile input: whatever stands in the files, the verifier comes back with a verdict.
+
+constexpr unsigned seed = 20260207;
+
+TEST_F(Verify_files, any_change_of_the_model_gets_a_verdict)
+{
+  SCOPED_TRACE(seed);
+  std::mt19937_64 random(seed);
+  const Json model = complete(Joints::connectors);
+  write_all(dir, model);
+  std::vector<std::string> places;
+  const auto flat = model.flatten();
+  for (const auto& entry : flat.items()) places.push_back(entry.key());
+  const Json values = {0, -1, 1e9, 1e-300, 3.5, 1e300, "P01", "", nullptr, true, Json::array(), Json::object(), {1, 2}};
+  for (int round = 0; round < 150; ++round) {
+    Json changed = model;
+    for (int k = 0; k < 3; ++k) {
+      Json::json_pointer place(places[random() % places.size()]);
+      for (auto up = random() % 4; up > 0 && !place.empty(); --up) place.pop_back();
+      if (!changed.contains(place)) continue;
+      changed[place] = values[random() % values.size()];
+    }
+    write_model(dir, changed);
+    const Outcome outcome = run();
+    EXPECT_TRUE(outcome.code == 0 || outcome.code == 1 || outcome.code == 3) << outcome.text;
+    EXPECT_EQ(outcome.code == 0, outcome.lines("violation:") + outcome.lines("unreadable:") == 0) << outcome.text;
+  }
+}
+
+TEST_F(Verify_files, any_change_of_the_bytes_gets_a_verdict)
+{
+  SCOPED_TRACE(seed);
+  std::mt19937_64 random(seed);
+  write_all(dir, complete(Joints::connectors));
+  for (const char* name :
+       {"model.json", "sheets/sheet-1.svg", "sheets/sheet-1.dxf", "shell.ply", "panels.obj", "report.json"}) {
+    const std::string text = read_text(dir / name);
+    for (int round = 0; round < 20; ++round) {
+      std::string changed = text;
+      for (auto k = 1 + random() % 4; k > 0; --k) changed[random() % changed.size()] = char(random() % 256);
+      write_text(dir / name, changed);
+      const Outcome outcome = run();
+      EXPECT_TRUE(outcome.code == 0 || outcome.code == 1 || outcome.code == 3) << outcome.text;
+    }
+    write_text(dir / name, text);
+  }
+  expect_good();
 }
 
 } // namespace

@@ -14,8 +14,8 @@ namespace {
 
 std::string name_of(const Written_step& step)
 {
-  std::string ids;
-  for (const std::string& id : step.parts) ids += (ids.empty() ? "" : " ") + id;
+  std::string ids = step.parts.empty() ? "nothing" : step.parts[0];
+  if (step.parts.size() > 1) ids += " and " + std::to_string(step.parts.size() - 1) + " more";
   return "step " + std::to_string(step.number) + " (" + ids + ")";
 }
 

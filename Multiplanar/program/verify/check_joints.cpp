@@ -124,7 +124,8 @@ void check_empty_slots(const Written_model& model, const Used& used, Report& rep
     const int panel = model.panel_of_part(part);
     if (panel < 0) continue;
     for (std::size_t h = 0; h < part.holes.size(); ++h)
-      if (!used.slots.count({&part, h}) && !surrounds_hole_of_panel(model, model.panels[panel], part, part.holes[h]))
+      if (!part.holes[h].empty() && !used.slots.count({&part, h}) &&
+          !surrounds_hole_of_panel(model, model.panels[panel], part, part.holes[h]))
         report.violation("part " + part.id + " has a slot at " + shown(part.holes[h][0]) + " that holds no tab");
   }
 }

@@ -122,12 +122,15 @@ Joint_line line_in_overlap(const Written_panel& p, const Written_panel& q, const
   // n.m).
   const double cosine = p.normal * q.normal;
   const double sine = std::sqrt(CGAL::cross_product(p.normal, q.normal).squared_length());
-  Joint_line line{false, a, b, 0};
-  if (1 + cosine < 1e-9 || sine < 1e-6) return line;
+  Joint_line line{false, a, b, 0, 0, 0};
+  if (!(1 + cosine > 1e-9 && sine > 1e-6) || a == b) return line;
   const Vector_3 x = -(thickness / 2) / (1 + cosine) * (p.normal + q.normal);
   line.exists = true;
-  line.from = a + x;
-  line.to = b + x;
+  const double length = std::sqrt((b - a).squared_length()), beyond = 20 * thickness + length;
+  line.from = a + x - beyond / length * (b - a);
+  line.to = b + x + beyond / length * (b - a);
+  line.begin = beyond;
+  line.end = beyond + length;
   // With theta = 180 - angle(n, m) inside the solid: the panel that gives way ends t sin(theta) before the other if
   // theta
   // >= 90, and t cot(theta / 2) - t cot(theta) = t / sin(theta) before it otherwise.
@@ -182,14 +185,18 @@ std::vector<Owned> owners_along(const Joint_line& line, const std::vector<const 
   const double length = std::sqrt(d.squared_length());
   std::vector<Owned> owners;
   for (std::size_t i = 1; i < fractions.size(); ++i) {
-    const double l = (fractions[i] - fractions[i - 1]) * length;
-    if (l < 1e-3) continue;
+    const double begin = fractions[i - 1] * length, end = fractions[i] * length;
+    if (end - begin < 1e-3) continue;
     const Point_3 middle = line.from + (fractions[i] + fractions[i - 1]) / 2 * d;
     int owner = 0;
     for (const Written_part* part : p) owner |= has_material(*part, flat(*part, middle)) ? 1 : 0;
     for (const Written_part* part : q) owner |= has_material(*part, flat(*part, middle)) ? 2 : 0;
-    if (!owners.empty() && owners.back().owner == owner) owners.back().length += l;
-    else owners.push_back({owner, l});
+    if (owner == 0 && end - begin > largest_play) {
+      if (begin >= line.end) break;
+      if (end <= line.begin) owners.clear();
+    }
+    if (!owners.empty() && owners.back().owner == owner) owners.back().length += end - begin;
+    else owners.push_back({owner, end - begin});
   }
   return owners;
 }

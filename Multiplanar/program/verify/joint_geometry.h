@@ -42,28 +42,31 @@ bool surrounds_hole_of_panel(const Written_model& model, const Written_panel& pa
 
 /// The line along an edge in the middle of where the slabs of its two panels overlap: half the thickness below either
 /// outer face. At every point of it, the one, the other or no panel has its material; whoever has it there owns the
-/// joint.
+/// joint. The panels may overlap beyond the ends of the edge as well, so the line goes on.
 struct Joint_line
 {
-  bool exists;        ///< false at reflex and flat edges
-  Point_3 from, to;   ///< from below the one end of the edge to below the other
+  bool exists;        ///< false if the planes are parallel or the edge has no length
+  Point_3 from, to;   ///< from far before the one end of the edge to far beyond the other
+  double begin, end;  ///< the edge, in mm from `from`
   double tooth_depth; ///< how far the owner reaches past where the other gives way
 };
 
 Joint_line line_in_overlap(const Written_panel& p, const Written_panel& q, const Point_3& a, const Point_3& b,
                            double thickness);
 
-/// A stretch of the line with one owner.
+/// A stretch of the line with one owner, or none.
 struct Owned
 {
   int owner; ///< bit 0: the first panel; bit 1: the second
   double length;
 };
 
+/// The stretches beside the edge, and on from there over gaps of less than `largest_play`.
 std::vector<Owned> owners_along(const Joint_line& line, const std::vector<const Written_part*>& p,
                                 const std::vector<const Written_part*>& q);
 
-/// The length of the longest stretch of one panel between two of the other, gaps of 0.1 mm allowed; 0 if there is none.
+/// The length of the longest stretch of one panel between two of the other, gaps of `largest_play` allowed; 0 if there
+/// is none.
 double widest_held_tooth(const std::vector<Owned>& owners);
 
 } // namespace verification

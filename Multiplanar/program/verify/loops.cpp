@@ -127,7 +127,7 @@ std::vector<std::array<int, 3>> triangulate_region(const Loop& outline, const st
   return triangles;
 }
 
-CGAL::Bbox_2 box_of(const Loop& loop) { return CGAL::bbox_2(loop.begin(), loop.end()); }
+CGAL::Bbox_2 box_of(const Loop& loop) { return loop.empty() ? CGAL::Bbox_2() : CGAL::bbox_2(loop.begin(), loop.end()); }
 
 double signed_area(const Loop& loop)
 {

@@ -17,7 +17,7 @@
 namespace CGAL {
 namespace Multiplanar {
 
-/// A dense data cost, as `Alpha_expansion`'s functions take it: node-major, `values[node * labels + label]`.
+/// A dense data cost, as `alpha_expansion()` takes it: node-major, `values[node * labels + label]`.
 struct Dense_data_cost
 {
   std::vector<double> values;
@@ -41,7 +41,7 @@ struct Alpha_expansion_result
   double energy = 0;          ///< of the final labelling (eq. 1)
   int sweeps = 0;             ///< passes over all labels, the last one without success included
   std::size_t expansions = 0; ///< accepted expansions
-  std::size_t survivors = 0;  ///< nodes left by the pruning, summed over all expansions
+  std::size_t survivors = 0;  ///< nodes that the flows looked at, summed over all expansions
   bool converged = false;     ///< a whole sweep found nothing to improve
 };
 
@@ -49,20 +49,23 @@ struct Alpha_expansion_result
 /// Zabih 2001) until no expansion of any label lowers it. Where all data costs are >= 0, the energy is then at most
 /// twice the global minimum.
 ///
-/// Labels are expanded in the order 0, 1, ..., ties keep the old label, and sweeps are repeated until one changes
-/// nothing, as in `CGAL::alpha_expansion_graphcut()`: the result is the same local minimum, some hundred times
-/// sooner where few nodes are in doubt, as in the segmentation of surfaces (see `internal::Expansion_graph` for how).
+/// Labels are expanded in the order 0, 1, ..., and sweeps are repeated until one changes nothing, as in
+/// `CGAL::alpha_expansion_graphcut()`. The result is the same local minimum (exact ties, which that function's flow
+/// decides either way, keep the old label here), some hundred times sooner where few nodes are in doubt, as in the
+/// segmentation of surfaces. `internal::Expansion_graph` explains how, and why nothing is lost.
 ///
-/// \tparam DataCost `double operator()(int node, int label) const`, finite, callable from several threads at once.
-///   Optional: `void block(int label, int first, int last, double* out) const`, which writes the costs of `label` for
-///   nodes `first` .. `last` - 1 to `out`; it is then used throughout.
+/// \tparam DataCost `double operator()(int node, int label) const`, callable from several threads at once; finite, or
+///   +infinity for a label that a node must not take. Optional: `void block(int label, int first, int last, double*
+///   out) const`, which writes the costs of `label` for nodes `first` .. `last` - 1 to `out`; it is then used wherever
+///   all costs are needed.
 /// \param labelling the initial label of each node, replaced by the final one. A labelling of an earlier run, or
 ///   `cheapest_labels()`, is a good start.
-/// \pre labels >= 1, each initial label is in 0 .. `labels` - 1.
+/// \pre labels >= 1; each initial label is in 0 .. `labels` - 1 and has a finite cost.
 ///
-/// One evaluation of nodes x labels data costs; then each expansion is linear in the nodes whose cost of that label
-/// does not exceed their present cost by more than the weights of their edges, plus a maximal flow on what pruning
-/// leaves. Memory: linear in the number of such (node, label) pairs.
+/// Complexity: all nodes x labels data costs once; after that, an expansion costs as much as a maximal flow between the
+/// nodes that gain by the new label and those near by that make up for it. Memory is linear in the graph and in the
+/// number of pairs (node, label) where the label costs less than the present one and the edges cut at the node
+/// together.
 template <class DataCost>
 Alpha_expansion_result alpha_expansion(const Potts_graph& graph, int labels, const DataCost& cost,
                                        std::vector<int>& labelling, const Alpha_expansion_options& options = {})

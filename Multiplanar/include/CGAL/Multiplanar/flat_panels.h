@@ -26,8 +26,9 @@ struct Flat_panels_options
   double time_limit = 0;          ///< seconds after which the search stops, 0: none. If it strikes, results vary
   int threads = 0;                ///< 0: all that the machine has; the result does not depend on it
   std::uint64_t seed = 0;
-  double min_edge = 0.002;  ///< shortest edge aimed at, in diagonals of the bounding box
-  double min_width = 0.002; ///< smallest width of a panel, in diagonals
+  double min_edge = 0.002;        ///< shortest edge aimed at, in diagonals of the bounding box
+  double min_width = 0.002;       ///< smallest width of a panel, in diagonals
+  std::vector<double> importance; ///< by face: a distance there counts so many times, e.g. 1 + W s; empty: once
 };
 
 struct Flat_panels_result;
@@ -109,7 +110,9 @@ inline Flat_panels_result flat_panels(const internal::Connectivity& c, const Poi
   search_options.seed = options.seed;
   search_options.min_edge = options.min_edge;
   search_options.min_width = options.min_width;
-  const internal::Input_surface input = internal::make_input_surface(c, source);
+  CGAL_precondition(options.importance.empty() || int(options.importance.size()) == c.number_of_faces());
+  internal::Input_surface input = internal::make_input_surface(c, source);
+  input.importance = options.importance;
   internal::Panel_search search(input, search_options, progress);
   internal::Panel_model model;
   Flat_panels_result result;

@@ -5,175 +5,21 @@
 #define CGAL_MULTIPLANAR_PANEL_PARTITION_H
 
 #include <CGAL/assertions.h>
-#include <CGAL/Multiplanar/internal/panel_junctions.h>
-#include <CGAL/Multiplanar/internal/panel_pieces.h>
-#include <CGAL/Multiplanar/internal/panel_repair.h>
+#include <CGAL/Multiplanar/Panel_partition_options.h>
+#include <CGAL/Multiplanar/internal/Panel_partitioner.h>
 #include <CGAL/Multiplanar/internal/panel_seeds.h>
-#include <CGAL/Multiplanar/internal/panel_splitting.h>
-#include <CGAL/Multiplanar/internal/panel_surgery.h>
 #include <CGAL/Multiplanar/label_costs.h>
+#include <CGAL/Multiplanar/panel_partition_problems.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Multiplanar {
-
-/// What `make_panels()` is to make.
-struct Panel_partition_options
-{
-  int max_panels = 0;     ///< k
-  double min_area = 0;    ///< smaller panels are merged, in the squared unit of the points
-  double min_width = 0;   ///< so are narrower ones; the width of a panel is 4 area / perimeter (that of a disc: its
-                          ///< diameter)
-  bool realisable = true; ///< false: only connected panels that do not touch themselves, in a fraction of the time
-};
-
-/// What `make_panels()` did.
-struct Panel_partition_report
-{
-  bool ok = false;       ///< whether the labels keep all promises
-  int panels = 0;        ///< labels are 0 .. panels - 1
-  int pieces_before = 0; ///< connected pieces of the labels given
-  int merges = 0;
-  int splits = 0;
-  int relabelled_faces = 0; ///< in local repairs
-  int attempt = 0;          ///< 0 if the labels given could be repaired, else how many other starts were tried
-  double cost_before = 0;   ///< data cost (eq. 2) of the labels given and of the result, planes refitted
-  double cost_after = 0;
-  std::array<int, 8> corner_valences{}; ///< corners of 0, 1, ... panels; the last entry counts 7 and more
-};
-
 namespace internal {
 
-/// One run of `make_panels()`.
-class Panel_partitioner
-{
-public:
-  Panel_partitioner(const Connectivity& c, const Points& points, const Label_costs& costs,
-                    const Panel_partition_options& options)
-      : c(c), points(points), costs(costs), options(options)
-  {
-  }
-
-  Panel_partition_report report;
-
-  /// Connected panels that do not touch themselves.
-  std::vector<int> make_connected(std::vector<int> labels, int target)
-  {
-    label_connected_pieces(c, labels);
-    {
-      Panel_labelling panels(c, std::move(labels));
-      Panel_fits fits(costs, panels);
-      report.merges += merge_cheapest(panels, fits, target);
-      labels = panels.labels();
-    }
-    compress_labels(labels);
-    return labels;
-  }
-
-  std::vector<int> make_light(const std::vector<int>& labels)
-  {
-    Panel_labelling panels(c, make_connected(labels, options.max_panels));
-    Panel_fits fits(costs, panels);
-    panels.start_watching();
-    report.merges += repair_touches(panels, fits);
-    std::vector<int> result = panels.labels();
-    finish(result, panels, true);
-    return result;
-  }
-
-  /// Panels that can be flat, starting from at most `pieces` connected pieces of `labels`.
-  std::vector<int> make_realisable(const std::vector<int>& labels, int pieces)
-  {
-    Panel_work work(costs, Panel_labelling(c, make_connected(labels, pieces)));
-    Panel_repair repair(work);
-    const bool repaired = repair.run();
-    report.merges += repair.merges;
-    report.splits += repair.splits;
-    if (repaired) {
-      report.merges += merge_down_to(work, options.max_panels);
-      merge_small(work);
-      if (work.panels.number_of_panels() <= options.max_panels)
-        report.splits += split_up_to(work, options.max_panels, [&](int p) { return is_large_enough(work.panels, p); });
-      simplify_corners(work);
-    }
-    report.relabelled_faces += work.relabelled;
-    std::vector<int> result = work.panels.labels();
-    const bool ok = repaired && work.panels.number_of_panels() <= options.max_panels &&
-                    work.panels.number_of_local_problems() == 0 &&
-                    topology_problems(work.panels, used_labels(work.panels)) == 0;
-    finish(result, work.panels, ok);
-    return result;
-  }
-
-private:
-  void finish(std::vector<int>& result, const Panel_labelling& panels, bool ok)
-  {
-    report.ok = ok;
-    report.panels = compress_labels(result);
-    report.corner_valences.fill(0);
-    for (int v = 0; v < c.number_of_vertices(); ++v)
-      if (panels.labels_at(v).size() > 2)
-        ++report.corner_valences[(std::min)(std::size_t(7), panels.labels_at(v).size())];
-  }
-
-  double area(const Panel_labelling& panels, int p) const
-  {
-    double sum = 0;
-    for (int f : panels.faces(p)) sum += costs.area(f);
-    return sum;
-  }
-
-  double perimeter(const Panel_labelling& panels, int p) const
-  {
-    double sum = 0;
-    for (int f : panels.faces(p))
-      for (int i = 0; i < 3; ++i)
-        if (panels.label(c.neighbours[f][i]) != p)
-          sum += std::sqrt(CGAL::squared_distance(points[c.triangles[f][i]], points[c.triangles[f][(i + 1) % 3]]));
-    return sum;
-  }
-
-  bool is_large_enough(const Panel_labelling& panels, int p) const
-  {
-    if (options.min_area <= 0 && options.min_width <= 0) return true;
-    const double a = area(panels, p);
-    return a >= options.min_area && (options.min_width <= 0 || 4 * a >= options.min_width * perimeter(panels, p));
-  }
-
-  /// Merges panels that are too small, each with the neighbour that costs least.
-  void merge_small(Panel_work& work)
-  {
-    for (bool changed = options.min_area > 0 || options.min_width > 0; changed;) {
-      changed = false;
-      for (int p : used_labels(work.panels)) {
-        if (work.panels.faces(p).empty() || is_large_enough(work.panels, p)) continue;
-        std::vector<std::pair<double, int>> neighbours;
-        for (int q : neighbouring_panels(work.panels, p)) neighbours.emplace_back(work.fits.merge_cost(p, q), q);
-        std::sort(neighbours.begin(), neighbours.end());
-        for (const auto& q : neighbours) {
-          const int before = work.panels.number_of_panels();
-          if (!merge_validly(work, p, q.second, 2)) continue;
-          report.merges += before - work.panels.number_of_panels();
-          work.panels.commit();
-          changed = true;
-          break;
-        }
-      }
-    }
-  }
-
-  const Connectivity& c;
-  const Points& points;
-  const Label_costs& costs;
-  const Panel_partition_options& options;
-};
-
-/// Data cost of labels with refitted planes.
+/// Data cost of labels >= 0, planes refitted to them.
 inline double refitted_cost(const Label_costs& costs, const std::vector<int>& labels)
 {
   std::vector<std::vector<int>> faces;
@@ -187,42 +33,100 @@ inline double refitted_cost(const Label_costs& costs, const std::vector<int>& la
   return sum;
 }
 
+/// Tries one start after another: the labels given, with more and more pieces; then cells spread evenly over the
+/// surface. If none can be repaired, the labels are only made connected and the report is not ok.
+inline Panel_partition_report make_realisable_panels(const Connectivity& c, const Points& points,
+                                                     const Label_costs& costs, std::vector<int>& labels,
+                                                     const Panel_partition_options& options)
+{
+  constexpr int starts_from_labels = 3, starts = 8;
+  const int k = options.max_panels;
+  for (int attempt = 0; attempt < starts; ++attempt) {
+    Panel_partitioner partitioner(c, points, costs, options);
+    const bool given = attempt < starts_from_labels;
+    const int pieces =
+        given ? k << attempt : (std::min)(c.number_of_faces(), (k + 4) << (attempt - starts_from_labels));
+    std::vector<int> made =
+        partitioner.make_realisable(given ? labels : evenly_spread_labels(c, costs, pieces), pieces);
+    if (!partitioner.report.ok) continue;
+    labels = std::move(made);
+    partitioner.report.attempt = attempt;
+    return partitioner.report;
+  }
+  Panel_partitioner partitioner(c, points, costs, options);
+  labels = partitioner.make_connected(labels);
+  partitioner.report.attempt = starts;
+  partitioner.report.ok = false;
+  return partitioner.report;
+}
+
 } // namespace internal
 
+/*!
+\ingroup PkgMultiplanarSegmentation
+
+Turns labels into at most k *panels*, 0 .. `report.panels` - 1, such that
+- each panel is one connected piece and forms one run of faces around each of its vertices;
+
+and, if `options.realisable`, no combinatorial obstruction keeps them from being flat polygons with area while the mesh
+keeps its connectivity:
+- each panel is a planar domain: a handle of the surface never lies inside one;
+- `panel_complex_problems()` finds nothing: in particular each loop passes at least three neighbours, and no three
+panels meet at two corners;
+- no edge inside a panel has both ends on the line that the panel shares with one other, and no face all its vertices,
+  for these would degenerate when chains of edges become straight.
+
+Panels meet in threes at corners wherever relabelling a few faces around the corner does it; `report.corner_valences`
+tells how many other corners remain. k panels are used as far as panels can be split soundly into parts that are not in
+one plane. Panels that lie flush with a neighbour, or are smaller than asked for, are merged with one where that can be
+done soundly.
+
+How: connected pieces are merged at least cost (eq. 2, planes refitted to the merged piece) down to k. Then vertices
+where a panel touches itself are closed or opened; panels with handles are split; a panel wholly inside another is
+merged into it or split in three; chords and repeated corners go by handing over few faces, each time fewer of them, or
+else by larger parts, mergers and splits. From there on every merger, split and handover keeps the labelling sound or is
+taken back: mergers bring the number of panels down to k, splits of the panels of largest data cost bring it up to k
+again, corners are simplified, and faces at boundaries change hands where that lowers the energy of eq. 1. If a start
+cannot be repaired, others are tried.
+
+\param c the connectivity of the mesh, connected and closed
+\param points its vertices
+\param costs the label costs of the mesh; they guide all choices. They may be those of other positions of the vertices,
+       for instance of the undeformed mesh
+\param labels labels >= 0 of the faces, replaced
+\param options k and more
+\return what was done. `ok` is false only if no start could be repaired, as on meshes with hardly more faces than panels
+        or of genus g with k < 4 + 3 g; the labels are then connected panels without self-touches, at most k
+
+\pre `options.max_panels` >= 1; a label per face
+Deterministic. About O(F log F) time for F faces and fixed k.
+*/
 inline Panel_partition_report make_panels(const internal::Connectivity& c, const Points& points,
                                           const Label_costs& costs, std::vector<int>& labels,
                                           const Panel_partition_options& options)
 {
   CGAL_precondition(int(labels.size()) == c.number_of_faces());
+  CGAL_precondition(int(points.size()) == c.number_of_vertices() && costs.faces() == c.number_of_faces());
+  CGAL_precondition(std::all_of(labels.begin(), labels.end(), [](int p) { return p >= 0; }));
   CGAL_precondition(options.max_panels >= 1);
-  const int k = options.max_panels;
   std::vector<int> pieces = labels;
   const int pieces_before = internal::label_connected_pieces(c, pieces);
   const double cost_before = internal::refitted_cost(costs, labels);
 
   Panel_partition_report report;
-  std::vector<int> result;
-  for (int attempt = 0; attempt < (options.realisable ? 8 : 1); ++attempt) {
+  if (options.realisable) {
+    report = internal::make_realisable_panels(c, points, costs, labels, options);
+    CGAL_expensive_postcondition(!report.ok || partition_problems(c, points, labels, report.panels).empty());
+  } else {
     internal::Panel_partitioner partitioner(c, points, costs, options);
-    std::vector<int> made;
-    if (!options.realisable) made = partitioner.make_light(labels);
-    else if (attempt < 3) made = partitioner.make_realisable(labels, k << attempt);
-    else {
-      const int cells = (std::min)(c.number_of_faces(), (k + 4) << (attempt - 3));
-      made = partitioner.make_realisable(internal::evenly_spread_labels(c, costs, cells), cells);
-    }
-    if (attempt == 0 || (partitioner.report.ok && !report.ok)) {
-      report = partitioner.report;
-      report.attempt = attempt;
-      result = std::move(made);
-    }
-    if (report.ok) break;
+    labels = partitioner.make_connected(std::move(labels));
+    report = partitioner.report;
+    CGAL_postcondition(report.ok);
   }
-  labels = std::move(result);
   report.pieces_before = pieces_before;
   report.cost_before = cost_before;
   report.cost_after = internal::refitted_cost(costs, labels);
-  CGAL_postcondition(!report.ok || report.panels <= k);
+  CGAL_postcondition(report.panels <= options.max_panels);
   return report;
 }
 

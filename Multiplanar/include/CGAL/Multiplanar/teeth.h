@@ -63,40 +63,20 @@ inline std::vector<Interval> intersection(const std::vector<Interval>& a, const 
   return result;
 }
 
-/// Every second of an odd number of about equal parts of `room`, each about twice the thickness wide: there the panel
-/// that elsewhere gives way has its teeth. In a short room there is one such tooth, one thickness wide and a bit. None
-/// if the room is shorter than two thicknesses.
-inline std::vector<Interval> alternate_parts(const Interval& room, double thickness)
+/// Teeth in a stretch of an edge that has `before` and `after` mm more on its ends, where the other panel may have its
+/// material: about two thicknesses wide with gaps as wide, or one that is at least a thickness (and a bit) wide; half a
+/// thickness is left to the other panel before the first and after the last. None if there is no room.
+inline std::vector<Interval> teeth_in(const Interval& stretch, double before, double after, double thickness)
 {
-  const double length = room[1] - room[0];
-  if (length < 2 * thickness) return {};
-  if (length < 3.5 * thickness) {
-    const double half = thickness * 0.51, middle = (room[0] + room[1]) / 2;
-    return {{middle - half, middle + half}};
-  }
-  const int pairs = (std::max)(1, int((length / (2 * thickness) - 1) / 2 + 0.5)), parts = 2 * pairs + 1;
+  const double low = stretch[0] + (std::max)(0.0, thickness / 2 - before);
+  const double high = stretch[1] - (std::max)(0.0, thickness / 2 - after), length = high - low;
+  if (length < 1.02 * thickness) return {};
+  const int count = (std::max)(1, int((length / thickness + 2) / 4));
+  const double width = count == 1 ? (std::min)(length, 2 * thickness) : length / (2 * count - 1);
+  const double first = count == 1 ? (low + high - width) / 2 : low;
   std::vector<Interval> result;
-  for (int i = 1; i < parts; i += 2)
-    result.push_back({room[0] + length * i / parts, room[0] + length * (i + 1) / parts});
+  for (int i = 0; i < count; ++i) result.push_back({first + 2 * i * width, first + (2 * i + 1) * width});
   return result;
-}
-
-/// Is the strip of a panel over an interval of an edge filled with its material, or (`filled` false) free of it? Asked
-/// at a grid of points a little inside.
-inline bool strip_is(bool filled, const std::vector<Flat_polygon>& pieces, const Edge_in_panel& edge,
-                     const Tooth_strip& strip, const Interval& interval)
-{
-  const auto inside = [&](const Point_2& p) {
-    return std::any_of(pieces.begin(), pieces.end(), [&](const Flat_polygon& piece) { return contains(piece, p); });
-  };
-  const double dx = 0.01, dy = 0.01;
-  for (int i = 0; i <= 8; ++i)
-    for (int j = 0; j <= 2; ++j) {
-      const double x = interval[0] + dx + (interval[1] - interval[0] - 2 * dx) * i / 8;
-      const double y = strip.near + dy + (strip.depth() - 2 * dy) * j / 2;
-      if (inside(edge(x, y)) != filled) return false;
-    }
-  return true;
 }
 
 } // namespace internal

@@ -68,7 +68,10 @@ private:
   std::vector<double> current_costs() const
   {
     std::vector<double> costs(labelling.size());
-    for (int p = 0; p < graph.nodes(); ++p) costs[p] = cost(p, labelling[p]);
+    for (int p = 0; p < graph.nodes(); ++p) {
+      costs[p] = cost(p, labelling[p]);
+      CGAL_precondition(std::isfinite(costs[p]));
+    }
     return costs;
   }
 

@@ -32,8 +32,10 @@ class Demand_flow
 public:
   /// Works on the topology of `graph`; its weights play no role here.
   explicit Demand_flow(const Potts_graph& graph)
-      : graph(graph), reverse(reverse_arcs(graph)), residual(graph.adjacent.size()), node(graph.nodes())
+      : begin(graph.begin), arcs(graph.adjacent.size()), node(graph.nodes())
   {
+    const std::vector<int> reverse = reverse_arcs(graph);
+    for (std::size_t a = 0; a < arcs.size(); ++a) arcs[a] = {graph.adjacent[a], reverse[a], 0};
   }
 
   /// Begins a new energy. Constant time.
@@ -57,7 +59,7 @@ public:
   void set_capacity(int arc, double c)
   {
     CGAL_precondition(c >= 0);
-    residual[arc] = c;
+    arcs[arc].residual = c;
   }
 
   /// Sends out the demand of the known node p, if it has any, as soon as `run()` is called (or goes on).
@@ -95,6 +97,12 @@ private:
     bool active = false;    // in the queue
   };
 
+  struct Arc
+  {
+    int target, reverse;
+    double residual; // capacity left; meaningful if the arc leaves a known node
+  };
+
   void activate(int p)
   {
     if (node[p].active) return;
@@ -107,14 +115,14 @@ private:
   void grow(int p, const Reach& reach)
   {
     node[p].active = false;
-    for (int a = graph.begin[p]; a < graph.begin[p + 1] && node[p].parent != free_node; ++a) {
-      const int q = graph.adjacent[a];
-      if (!(residual[a] > 0)) continue;
+    for (int a = begin[p]; a < begin[p + 1] && node[p].parent != free_node; ++a) {
+      const int q = arcs[a].target;
+      if (!(arcs[a].residual > 0)) continue;
       if (!knows(q)) reach(q);
-      while (node[q].parent == free_node && node[q].room > 0 && residual[a] > 0 && node[p].parent != free_node)
+      while (node[q].parent == free_node && node[q].room > 0 && arcs[a].residual > 0 && node[p].parent != free_node)
         augment(p, a);
-      if (node[q].parent != free_node || node[p].parent == free_node || !(residual[a] > 0)) continue;
-      node[q].parent = reverse[a];
+      if (node[q].parent != free_node || node[p].parent == free_node || !(arcs[a].residual > 0)) continue;
+      node[q].parent = arcs[a].reverse;
       activate(q);
     }
   }
@@ -122,11 +130,11 @@ private:
   // Ships as much as fits from the root above p to p and along arc a, into the room of its end.
   void augment(int p, int a)
   {
-    const int q = graph.adjacent[a];
-    double amount = (std::min)(node[q].room, residual[a]);
+    const int q = arcs[a].target;
+    double amount = (std::min)(node[q].room, arcs[a].residual);
     int r = p;
-    for (; node[r].parent != root; r = graph.adjacent[node[r].parent])
-      amount = (std::min)(amount, residual[reverse[node[r].parent]]);
+    for (; node[r].parent != root; r = arcs[node[r].parent].target)
+      amount = (std::min)(amount, capacity_against(node[r].parent));
     amount = (std::min)(amount, -node[r].room);
     CGAL_assertion(amount > 0);
 
@@ -134,9 +142,9 @@ private:
     node[q].room -= amount;
     for (r = p; node[r].parent != root;) {
       const int up = node[r].parent;
-      ship(reverse[up], amount);
-      if (!(residual[reverse[up]] > 0)) make_orphan(r);
-      r = graph.adjacent[up];
+      ship(arcs[up].reverse, amount);
+      if (!(capacity_against(up) > 0)) make_orphan(r);
+      r = arcs[up].target;
     }
     node[r].room += amount;
     if (!(node[r].room < 0)) make_orphan(r);
@@ -149,9 +157,12 @@ private:
 
   void ship(int a, double amount)
   {
-    residual[a] -= amount;
-    residual[reverse[a]] += amount;
+    arcs[a].residual -= amount;
+    arcs[arcs[a].reverse].residual += amount;
   }
+
+  // What may still be shipped against arc a: from its end to its start.
+  double capacity_against(int a) const { return arcs[arcs[a].reverse].residual; }
 
   void make_orphan(int p)
   {
@@ -162,31 +173,30 @@ private:
   // Hangs orphan p under a neighbour with a live root, or sets it and its children free.
   void adopt(int p)
   {
-    for (int a = graph.begin[p]; a < graph.begin[p + 1]; ++a) {
-      const int q = graph.adjacent[a];
-      if (is_one(q) && residual[reverse[a]] > 0 && has_root(q)) {
+    for (int a = begin[p]; a < begin[p + 1]; ++a) {
+      const int q = arcs[a].target;
+      if (is_one(q) && capacity_against(a) > 0 && has_root(q)) {
         node[p].parent = a;
         return;
       }
     }
     node[p].parent = free_node;
-    for (int a = graph.begin[p]; a < graph.begin[p + 1]; ++a) {
-      const int q = graph.adjacent[a];
+    for (int a = begin[p]; a < begin[p + 1]; ++a) {
+      const int q = arcs[a].target;
       if (!is_one(q)) continue;
-      if (node[q].parent == reverse[a]) make_orphan(q);
-      if (residual[reverse[a]] > 0) activate(q); // it may reach p again
+      if (node[q].parent == arcs[a].reverse) make_orphan(q);
+      if (capacity_against(a) > 0) activate(q); // it may reach p again
     }
   }
 
   bool has_root(int p) const
   {
-    while (node[p].parent >= 0) p = graph.adjacent[node[p].parent];
+    while (node[p].parent >= 0) p = arcs[node[p].parent].target;
     return node[p].parent == root;
   }
 
-  const Potts_graph& graph;
-  std::vector<int> reverse;
-  std::vector<double> residual; // capacity left, of the arcs that leave known nodes
+  const std::vector<int>& begin; // the rows of the graph
+  std::vector<Arc> arcs;
   std::vector<Node> node;
   int round = 0;
   std::vector<int> known_nodes, queue, orphans;

@@ -33,9 +33,12 @@ struct Input_surface
   const Connectivity* connectivity = nullptr;
   Triangle_tree tree;
   std::vector<Surface_sample> samples;
+  std::vector<double> importance; ///< by face: distances from there count so many times; empty: once
   double area = 0;
   Vec3 centre = Vec3::Zero();
   double scale = 1; ///< of the model: its diagonal
+
+  double importance_of(int face) const { return importance.empty() ? 1 : importance[face]; }
 
   Vec3 to_frame(const Point_3& p) const { return (as_vec(p) - centre) / scale; }
   Point_3 from_frame(const Vec3& v) const { return as_point(v * scale + centre); }

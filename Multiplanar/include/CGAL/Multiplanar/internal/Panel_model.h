@@ -42,6 +42,7 @@ struct Panel_model
   std::vector<Sample_record> records; ///< of samples of the panels
   std::vector<double> panel_error;    ///< largest distance by the panel of the model's face, both ways
   std::vector<int> panel_worst;       ///< the face of the model where it is
+  int offences = 0;                   ///< edges that are too short, and panels that are too narrow
   double merit = 0;                   ///< p-norm of all distances, p = 32
   double largest = 0;
 
@@ -52,8 +53,10 @@ struct Panel_model
 class Panel_modeller
 {
 public:
-  Panel_modeller(const Input_surface& input, double spacing)
-      : in(input), c(*input.connectivity), spacing(spacing), face_moments(internal::face_moments(c, input.points))
+  /// \param min_edge, min_width what counts as an offence, in diagonals
+  Panel_modeller(const Input_surface& input, double spacing, double min_edge = 0, double min_width = 0)
+      : in(input), c(*input.connectivity), spacing(spacing), min_edge(min_edge), min_width(min_width),
+        face_moments(internal::face_moments(c, input.points))
   {
   }
 
@@ -78,8 +81,7 @@ public:
     place_corners(old, edit, refit, m, touched);
     put_outer_loops_first(m, *topology);
     Plane_corner_system system(*topology, touched);
-    if (!first_fit(*topology, m.moments, system, refit, m.state, 0.3 / double(system.free_corners().size() + 1)))
-      return false;
+    if (!first_fit(m.moments, system, refit, m.state, 0.3 / double(system.free_corners().size() + 1))) return false;
     make_surface(old, edit, system, m);
     carry_distances(old, edit, system, m);
     return true;
@@ -116,7 +118,8 @@ public:
     for (std::size_t i = 0; i < in.samples.size(); ++i)
       if (m.near_panel[i] < 0 || (!steps && changed[m.near_panel[i]])) {
         const auto q = m.surface->tree().closest(in.samples[i].point);
-        m.r[i] = std::sqrt(q.squared_distance), m.near_panel[i] = m.surface->panel_of(q.triangle);
+        m.r[i] = in.importance_of(in.samples[i].face) * std::sqrt(q.squared_distance),
+        m.near_panel[i] = m.surface->panel_of(q.triangle);
       }
     renew_records(m, changed);
     sum_up(m);
@@ -126,6 +129,29 @@ public:
   {
     std::fill(m.near_panel.begin(), m.near_panel.end(), -1);
     measure(m, std::vector<char>(m.panels(), 1));
+  }
+
+  bool is_short(const Panel_model& m, const Complex_topology::Edge& e) const
+  {
+    return (m.state.corner[e.corners[0]] - m.state.corner[e.corners[1]]).norm() < min_edge;
+  }
+
+  /// Is the outer polygon of panel `p` narrower than allowed, measured across each of its sides?
+  bool is_narrow(const Panel_model& m, int p) const
+  {
+    const auto& loop = m.topology->loops[p][0];
+    const Vec3& n = m.state.normal[p];
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Vec3 &a = m.state.corner[loop[i]], &b = m.state.corner[loop[(i + 1) % loop.size()]];
+      const Vec3 across = n.cross(b - a).normalized();
+      double low = 0, high = 0;
+      for (int x : loop) {
+        const double d = across.dot(m.state.corner[x] - a);
+        low = (std::min)(low, d), high = (std::max)(high, d);
+      }
+      if (high - low < min_width) return true;
+    }
+    return false;
   }
 
   const Input_surface& input() const { return in; }
@@ -325,12 +351,22 @@ private:
       for (int j = 0; j < 3; ++j) x += samples[i].weights.w[j] * m.state.corner[samples[i].corner[j]];
       const auto q = in.tree.closest(x, hint);
       hint = q.triangle;
-      m.records.push_back({std::sqrt(q.squared_distance), samples[i].area / in.area, q.triangle, owners[i]});
+      m.records.push_back({in.importance_of(q.triangle) * std::sqrt(q.squared_distance), samples[i].area / in.area,
+                           q.triangle, owners[i]});
     }
+  }
+
+  int count_offences(const Panel_model& m) const
+  {
+    int n = 0;
+    for (const auto& e : m.topology->edges) n += is_short(m, e);
+    for (int p = 0; p < m.panels(); ++p) n += is_narrow(m, p);
+    return n;
   }
 
   void sum_up(Panel_model& m) const
   {
+    m.offences = count_offences(m);
     m.panel_error.assign(m.panels(), 0);
     m.panel_worst.assign(m.panels(), -1);
     m.largest = 0;
@@ -353,7 +389,7 @@ private:
 
   const Input_surface& in;
   const Connectivity& c;
-  double spacing;
+  double spacing, min_edge, min_width;
   std::vector<Moments> face_moments;
 };
 

@@ -5,6 +5,7 @@
 #define CGAL_MULTIPLANAR_INTERNAL_PANEL_SEARCH_H
 
 #include <CGAL/Multiplanar/Approximation_options.h>
+#include <CGAL/Multiplanar/internal/coarsen_panels.h>
 #include <CGAL/Multiplanar/internal/initial_partitions.h>
 #include <CGAL/Multiplanar/internal/teleport.h>
 #include <CGAL/Multiplanar/panel_partition.h>
@@ -76,18 +77,27 @@ public:
   {
     const Label_costs costs(c, frame_points);
     std::vector<Panel_model> models;
-    for (int attempt = 0; attempt < 6; ++attempt) {
+    for (int attempt = 0; attempt < 3 && models.empty(); ++attempt) {
       add_partitions(attempt, partitions);
       start_models(costs, partitions, models);
-      if (!models.empty()) break;
       partitions.clear();
-      if (out_of_time()) break;
     }
-    if (models.empty()) return false;
+    if (models.empty() && !start_from_many(costs, models)) return false;
     search(models);
     best = std::move(models[0]);
     tidy(best);
     mend(costs, best);
+    return true;
+  }
+
+  /// Changes panel `p` of a result of `run` that its user cannot work with; with `remove`, it goes.
+  /// \return false if that cannot be done
+  bool rework(Panel_model& m, int p, bool remove)
+  {
+    Teleport_search t(modeller, options.max_panels, threads);
+    t.local_options = local_accuracy();
+    if (!t.rework(m, p, remove)) return false;
+    mend(Label_costs(c, frame_points), m);
     return true;
   }
 
@@ -134,6 +144,17 @@ private:
       if (ok[i]) models.push_back(std::move(started[i]));
     sort_models(models);
     if (progress) progress(0.15);
+  }
+
+  /// The start where few panels cannot be made flat: many are, and merged.
+  bool start_from_many(const Label_costs& costs, std::vector<Panel_model>& models)
+  {
+    const Panel_coarsening coarsening(modeller, costs, frame_points, accuracy(), options.seed);
+    Panel_model m;
+    if (!coarsening.run(options.max_panels, m)) return false;
+    modeller.improve_all(m, accuracy());
+    models.push_back(std::move(m));
+    return true;
   }
 
   /// A repaired model of a partition with accuracy steps. \return false if it cannot be made realisable

@@ -54,10 +54,13 @@ public:
     Alternation teeth;
     teeth.edge = e;
     bool near_slots = false;
-    for (const Interval& room : rooms)
-      for (const Interval& tooth : alternate_parts(room, options.thickness))
-        if (keeps_margin(e, tooth)) teeth.intervals.push_back(tooth);
-        else near_slots = true;
+    for (const Interval& room : rooms) {
+      const auto stretches = away_from_slots(e, room);
+      near_slots = near_slots || stretches.size() != 1 || stretches[0] != room;
+      for (const Interval& s : stretches)
+        for (const Interval& tooth : teeth_in(s, s[0] - room[0], room[1] - s[1], options.thickness))
+          teeth.intervals.push_back(tooth);
+    }
     if (teeth.intervals.empty())
       reasons[e] = near_slots ? "teeth would come too close to slots" : "too short for teeth";
     return teeth;
@@ -98,18 +101,27 @@ private:
   /// Half a thickness below either outer face: this far from the edge the overlap of the two sheets has its middle.
   double middle_line(int e) const { return options.thickness / 2 / std::tan(connectors.view(e).theta / 2); }
 
-  /// The panel that stays loses the strip at `tooth`: is that far enough from its slots?
-  bool keeps_margin(int e, const Interval& tooth) const
+  /// The panel that stays loses the strip under a tooth of the other: the stretches of `room` where that is far enough
+  /// from its slots.
+  std::vector<Interval> away_from_slots(int e, const Interval& room) const
   {
     const Edge_in_panel& stays = side(e, true);
     const Tooth_strip strip = tooth_strip(connectors.view(e).theta, options.thickness);
-    const Slot gap{tooth[0], tooth[1], strip.near, strip.far};
-    bool far = true;
+    const double margin = slot_margin(options.thickness);
+    std::vector<Interval> stretches{room};
     for (const auto& slots : connectors.slotted_panels()[stays.panel].slots)
-      for_each_side({{}, slots}, [&](const Point_2& a, const Point_2& b) {
-        far = far && distance_to_slot(gap, stays, a, b) >= slot_margin(options.thickness);
-      });
-    return far;
+      for (const Outline& slot : slots) {
+        Interval shadow{1e300, -1e300}; // the positions that a gap must not touch
+        for (double position = room[0]; position <= room[1]; position += 0.25) {
+          bool near = false;
+          for_each_side({{}, {slot}}, [&](const Point_2& a, const Point_2& b) {
+            near = near || distance_to_slot({position, position, strip.near, strip.far}, stays, a, b) < margin;
+          });
+          if (near) shadow = {(std::min)(shadow[0], position - 0.25), position + 0.25};
+        }
+        if (shadow[0] < shadow[1]) stretches = intersection(stretches, {{-1e300, shadow[0]}, {shadow[1], 1e300}});
+      }
+    return stretches;
   }
 
   bool is_held(int e, const Interval& interval, const Truncation& result) const

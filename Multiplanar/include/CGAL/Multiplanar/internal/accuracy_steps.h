@@ -22,7 +22,8 @@ namespace internal {
 // always positive, H = (p-1) sum a_i (r_i/N)^(p-2) J_i^T J_i / N^2. The damping lambda (|planes|^2 + |corners|^2) keeps
 // motions small where H says nothing, and bounds ill-conditioned corners.
 //
-// An edge shorter than L = 1.5 min_edge adds kappa ((L - l) / L)^2.
+// An edge shorter than L = 1.5 min_edge adds kappa ((L - l) / L)^2. Two panels folded upon each other by more than a
+// limit, n_1.n_2 < -g, add kappa ((n_1.n_2 + g) / (1 - g))^2.
 //
 // A step counts only if F falls, all panels remain simple polygons and no panels meet that should not: exact.
 
@@ -31,6 +32,7 @@ struct Accuracy_options
   double min_edge = 0.002; ///< fraction of the diagonal
   double max_step = 0.03;  ///< of a corner, in diagonals
   double barrier = 0.05;   ///< kappa
+  double fold = 0.9;       ///< g: the cosine of the sharpest angle between panels that is not held off
   std::vector<int> powers{2, 4, 8, 16, 32};
   int steps = 12;           ///< for every power
   int refresh = 4;          ///< accepted steps between new samples
@@ -115,13 +117,8 @@ private:
     for (std::size_t i = 0; i < base.to_panels.size(); ++i) add(base.to_panels[i], distance.area_of_active(int(i)));
     for (std::size_t i = 0; i < base.to_input.size(); ++i) add(base.to_input[i], distance.area_of_sample(int(i)));
     for (int e : edges) {
-      const Vec3 v = s.corner[t.edges[e].corners[1]] - s.corner[t.edges[e].corners[0]];
-      const double length = v.norm(), L = 1.5 * options.min_edge;
-      if (length >= L || length < 1e-12) continue;
-      form.clear();
-      system.add_corner_motion(t.edges[e].corners[1], v / length, form);
-      system.add_corner_motion(t.edges[e].corners[0], -v / length, form);
-      add_square(form, 2 * options.barrier / (L * L), length - L, H, f);
+      add_length_barrier(e, s, form);
+      add_fold_barrier(e, s, form);
     }
     for (int c : system.free_corners())
       for (int i = 0; i < 3; ++i) {
@@ -142,13 +139,38 @@ private:
     return result;
   }
 
+  void add_length_barrier(int e, const Flat_state& s, Linear_form& form)
+  {
+    const Vec3 v = s.corner[t.edges[e].corners[1]] - s.corner[t.edges[e].corners[0]];
+    const double length = v.norm(), L = 1.5 * options.min_edge;
+    if (length >= L || length < 1e-12) return;
+    form.clear();
+    system.add_corner_motion(t.edges[e].corners[1], v / length, form);
+    system.add_corner_motion(t.edges[e].corners[0], -v / length, form);
+    add_square(form, 2 * options.barrier / (L * L), length - L, H, f);
+  }
+
+  void add_fold_barrier(int e, const Flat_state& s, Linear_form& form)
+  {
+    const int p = t.edges[e].panels[0], q = t.edges[e].panels[1];
+    const double cosine = s.normal[p].dot(s.normal[q]), width = 1 - options.fold;
+    if (cosine >= -options.fold) return;
+    form.clear();
+    system.add_turn(p, s.normal[q], form);
+    system.add_turn(q, s.normal[p], form);
+    add_square(form, 2 * options.barrier / (width * width), cosine + options.fold, H, f);
+  }
+
   double barrier(const Flat_state& s) const
   {
     double sum = 0;
-    const double L = 1.5 * options.min_edge;
+    const double L = 1.5 * options.min_edge, width = 1 - options.fold;
     for (int e : edges) {
-      const double length = (s.corner[t.edges[e].corners[1]] - s.corner[t.edges[e].corners[0]]).norm();
+      const auto& edge = t.edges[e];
+      const double length = (s.corner[edge.corners[1]] - s.corner[edge.corners[0]]).norm();
       if (length < L) sum += (1 - length / L) * (1 - length / L);
+      const double over = -options.fold - s.normal[edge.panels[0]].dot(s.normal[edge.panels[1]]);
+      if (over > 0) sum += over * over / (width * width);
     }
     return options.barrier * sum;
   }

@@ -68,8 +68,8 @@ inline void fit_plane(const Moments& m, Vec3& normal, double& offset)
 /// (for a free panel not in `refit`, the motion of its plane takes the integral's place) under flatness, by
 /// Gauss-Newton steps that start at x0 (corners anywhere, planes as in `s`) and end flat. The pull keeps
 /// ill-conditioned corners in place. \return false if no flat state was reached
-inline bool first_fit(const Complex_topology& t, const std::vector<Moments>& moments, Plane_corner_system& system,
-                      const std::vector<char>& refit, Flat_state& s, double pull, int steps = 8)
+inline bool first_fit(const std::vector<Moments>& moments, Plane_corner_system& system, const std::vector<char>& refit,
+                      Flat_state& s, double pull, int steps = 8)
 {
   const std::vector<Vec3> old = s.corner;
   double area = 0;

@@ -92,6 +92,8 @@ private:
   std::vector<Vec3> normal_;
 };
 
+constexpr int outside = -2;
+
 /// Gives the faces of `region` to the labels of `proxies` by growing them from seeds, cheapest face first, so that each
 /// label stays one piece. `label_of_proxy[i]` is the label of proxy i; seeds are the cheapest face of the region for
 /// each proxy (among those that carry its label, if any), or `seeds[i]` where that is >= 0.
@@ -127,6 +129,12 @@ inline void flood(const Connectivity& c, const std::vector<int>& region, const s
   };
   for (std::size_t i = 0; i < proxies.size(); ++i)
     if (start[i] >= 0 && labels[start[i]] == -1) take(start[i], int(i));
+  for (std::size_t i = 0; i < proxies.size(); ++i) {
+    if (seeds[i] != outside) continue;
+    for (int f : region)
+      for (int g : c.neighbours[f])
+        if (labels[g] == label_of_proxy[i] && labels[f] == -1) queue.push({cost(f, proxies[i]), f, int(i)});
+  }
   while (!queue.empty()) {
     const Entry e = queue.top();
     queue.pop();

@@ -74,11 +74,12 @@ public:
            cost(p) - cost(q);
   }
 
+  /// The data cost of all panels, each one that changed at all refitted.
   double total()
   {
     double sum = 0;
     for (int p = 0; p < panels->number_of_labels(); ++p)
-      if (!panels->faces(p).empty()) sum += cost(p);
+      if (!panels->faces(p).empty()) sum += fit(p, 0).cost;
     return sum;
   }
 
@@ -91,11 +92,12 @@ private:
     std::int64_t changes = -1;
   };
 
-  Fit& fit(int p)
+  /// \param tolerance the share of a panel's faces that may have changed since the last fit
+  Fit& fit(int p, double tolerance = 0.1)
   {
     if (int(fits.size()) <= p) fits.resize(panels->number_of_labels());
     Fit& fit = fits[p];
-    if (fit.changes < 0 || 10 * (panels->changes(p) - fit.changes) > std::int64_t(panels->faces(p).size())) {
+    if (fit.changes < 0 || double(panels->changes(p) - fit.changes) > tolerance * double(panels->faces(p).size())) {
       fit.sums = plane_sums(*label_costs, panels->faces(p));
       fit.plane = fitted_plane(*label_costs, fit.sums);
       fit.cost = faces_cost(*label_costs, panels->faces(p), fit.plane);

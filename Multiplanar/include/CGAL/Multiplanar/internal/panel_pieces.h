@@ -69,6 +69,17 @@ inline std::vector<int> neighbouring_panels(const Panel_labelling& panels, int p
   return result;
 }
 
+/// Whether two distinct labels share a mesh edge.
+inline bool are_neighbours(const Panel_labelling& panels, int p, int q)
+{
+  if (p == q) return false;
+  if (panels.faces(p).size() > panels.faces(q).size()) std::swap(p, q);
+  for (int f : panels.faces(p))
+    for (int g : panels.connectivity().neighbours[f])
+      if (panels.label(g) == q) return true;
+  return false;
+}
+
 /// Joins two labels; the one with more faces keeps its name.
 /// \return the label that remains
 inline int join_panels(Panel_labelling& panels, int p, int q)

@@ -40,7 +40,9 @@ public:
   /// \return whether no problem is left
   bool run()
   {
-    int budget = 8 * panels.number_of_panels() + 64;
+    int budget = 16 * panels.number_of_panels() + 64;
+    absorptions = panels.number_of_panels();
+    most_panels = 4 * panels.number_of_panels() + 64;
     mend_everywhere();
     while (budget-- > 0) {
       if (split_a_handle() || open_a_closed_boundary()) continue;
@@ -89,7 +91,9 @@ private:
       const Closed_boundary& boundary = topology.closed[0];
       const int q = panels.label(across(boundary[0]));
       const std::size_t mark = panels.mark();
-      if (topology.loops == 1 && fits.merge_cost(p, q) <= 2 * price_of_a_panel()) {
+      if (topology.loops == 1 && absorptions > 0 && panels.number_of_panels() > 4 &&
+          fits.merge_cost(p, q) <= 2 * price_of_a_panel()) {
+        --absorptions;
         join_panels(panels, p, q);
         ++merges;
       } else {
@@ -124,9 +128,6 @@ private:
     splits += int(seeds.size()) - 1;
   }
 
-  /// All problems: what has to fall.
-  int problems() const { return panels.number_of_local_problems() + topology_problems(panels, used_labels(panels)); }
-
   /// A way to resolve a problem: a merger of two panels, a split of one, or a handover of faces.
   struct Remedy
   {
@@ -155,27 +156,44 @@ private:
     }
   }
 
-  /// Applies the remedy that lowers the number of problems at least cost; if none does, merges the cheapest pair.
+  /// What a remedy would do.
+  struct Outcome
+  {
+    int local = 0, topology = 0; // problems
+    double cost = 0;             // rise of the data cost, panels priced
+  };
+
+  Outcome try_out(const Remedy& r)
+  {
+    const std::size_t mark = panels.mark();
+    const double cost_before = fits.total(), price = price_of_a_panel();
+    const int panels_before = panels.number_of_panels();
+    apply(r);
+    settle(work, mark);
+    Outcome result{panels.number_of_local_problems(), topology_problems(panels, used_labels(panels)),
+                   fits.total() - cost_before + price * (panels.number_of_panels() - panels_before)};
+    panels.roll_back(mark);
+    return result;
+  }
+
+  /// Applies the remedy that lowers the number of local problems at least cost and makes none of topology. If there is
+  /// none, splits: panels of single faces have no problems, so enough of that succeeds.
   bool resolve_a_local_problem()
   {
     const int v = first_problem();
     if (v == -1) return false;
     const std::vector<Remedy> remedies = remedies_at(v);
-    const int before = problems();
-    const double cost_before = fits.total(), price = price_of_a_panel();
-    const int panels_before = panels.number_of_panels();
-    const Remedy* best = nullptr;
-    double least = 0;
+    const int before = panels.number_of_local_problems();
+    const Remedy *best = nullptr, *best_split = nullptr;
+    Outcome best_outcome, split_outcome;
     for (const Remedy& r : remedies) {
-      const std::size_t mark = panels.mark();
-      apply(r);
-      settle(work, mark);
-      if (problems() < before) {
-        const double cost = fits.total() - cost_before + price * (panels.number_of_panels() - panels_before);
-        if (!best || cost < least) best = &r, least = cost;
-      }
-      panels.roll_back(mark);
+      const Outcome o = try_out(r);
+      if (o.topology == 0 && o.local < before && (!best || o.cost < best_outcome.cost)) best = &r, best_outcome = o;
+      const int sum = o.local + o.topology;
+      if (r.kind == Remedy::split && (!best_split || sum < split_outcome.local + split_outcome.topology))
+        best_split = &r, split_outcome = o;
     }
+    if (!best && panels.number_of_panels() < most_panels) best = best_split;
     const std::size_t mark = panels.mark();
     if (best) {
       apply(*best);
@@ -278,6 +296,9 @@ private:
   Panel_work& work;
   Panel_labelling& panels;
   Panel_fits& fits;
+  int most_panels = 0;
+  int absorptions =
+      0; // panels that may still be merged into the one around them: after that, splits have the last word
 };
 
 } // namespace internal

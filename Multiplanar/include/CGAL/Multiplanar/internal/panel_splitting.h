@@ -132,29 +132,41 @@ inline std::vector<int> unlike_faces(Panel_work& work, int p)
   return {first, second};
 }
 
-/// Splits a panel of a labelling without problems in two so that it has none afterwards, as its planes suggest, or
-/// else across its length.
-/// \param accept told a label, whether a part may be as it is
-/// \return false, with everything as before, if that fails
-template <class Accept>
-bool split_validly(Panel_work& work, int p, Accept accept)
+/// Two panels are worth being two if that lowers the data cost by this times the smaller one's area, about what an
+/// angle so large between them costs (eq. 2): no one can build less, and two nearly equal planes do not define a line.
+constexpr double least_angle = 1e-3;
+
+/// \param cost_before the cost of the panel that was split into `p` and `q`
+inline bool is_worth_splitting(Panel_work& work, int p, int q, double cost_before)
 {
-  if (work.panels.faces(p).size() < 2) return false;
+  const double gain = (std::min)(cost_before - work.fits.cost(p) - work.fits.cost(q), work.fits.merge_cost(p, q));
+  return gain > least_angle * (std::min)(work.fits.sums(p).area, work.fits.sums(q).area);
+}
+
+/// Splits a sound panel in two so that both are sound, as its planes suggest, or else across its length.
+/// \param accept told a label, whether a part may be as it is
+/// \return the label of the new part, or -1, with everything as before, if that fails
+template <class Accept>
+int split_soundly(Panel_work& work, int p, Accept accept)
+{
+  if (work.panels.faces(p).size() < 2) return -1;
   const std::size_t mark = work.panels.mark();
   const int panels = work.panels.number_of_panels();
+  const double cost = work.fits.cost(p);
+  if (!(cost > 0)) return -1;
   for (int attempt = 0; attempt < 3; ++attempt) {
+    const int q = work.panels.unused_label();
     if (attempt == 0) apply_parts(work.panels, p, two_plane_parts(work, p, unlike_faces(work, p)), 2);
     else if (attempt == 1) apply_parts(work.panels, p, two_plane_parts(work, p, far_faces(work, p)), 2);
     else split_geodesically(work, p, far_faces(work, p));
-    std::vector<int> parts = changed_panels(work.panels, mark);
-    parts.push_back(p);
     settle(work, mark);
-    if (work.panels.number_of_panels() == panels + 1 && work.panels.number_of_local_problems() == 0 &&
-        topology_problems(work.panels, parts) == 0 && std::all_of(parts.begin(), parts.end(), accept))
-      return true;
+    if (work.panels.number_of_panels() == panels + 1 && !work.panels.faces(p).empty() &&
+        !work.panels.faces(q).empty() && is_sound(work, {p, q}) && accept(p) && accept(q) &&
+        is_worth_splitting(work, p, q, cost))
+      return q;
     work.panels.roll_back(mark);
   }
-  return false;
+  return -1;
 }
 
 /// Splits where the data cost is largest until there are `target` panels or none can be split.
@@ -169,11 +181,11 @@ int split_up_to(Panel_work& work, int target, Accept accept)
   while (work.panels.number_of_panels() < target && !queue.empty()) {
     const int p = -queue.top().second;
     queue.pop();
-    const int new_label = work.panels.unused_label(); // the one that the split will take
-    if (!split_validly(work, p, accept)) continue;
+    const int q = split_soundly(work, p, accept);
+    if (q == -1) continue;
     ++splits;
     queue.emplace(work.fits.cost(p), -p);
-    queue.emplace(work.fits.cost(new_label), -new_label);
+    queue.emplace(work.fits.cost(q), -q);
     work.panels.commit();
   }
   return splits;

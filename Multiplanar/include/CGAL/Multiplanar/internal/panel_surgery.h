@@ -25,8 +25,9 @@ namespace internal {
 /// A labelling under repair, with what all repairs share.
 struct Panel_work
 {
-  Panel_work(const Label_costs& costs, Panel_labelling initial)
-      : panels(std::move(initial)), fits(costs, panels), mender(panels, fits)
+  /// \param realisable whether panels must become ones that can be flat, or only connected ones without touches
+  Panel_work(const Label_costs& costs, Panel_labelling initial, bool realisable)
+      : panels(std::move(initial)), fits(costs, panels), mender(panels, fits), realisable(realisable)
   {
     panels.start_watching();
   }
@@ -35,8 +36,24 @@ struct Panel_work
   Panel_labelling panels;
   Panel_fits fits;
   Panel_mender mender;
-  int relabelled = 0; ///< faces that changed hands in accepted local repairs
+  bool realisable;
+  int relabelled = 0; ///< faces that changed hands in local repairs
 };
+
+/// The topological problems of some panels.
+inline int topology_problems(const Panel_labelling& panels, const std::vector<int>& which)
+{
+  int n = 0;
+  for (int p : which) n += panel_topology(panels, p).problems();
+  return n;
+}
+
+/// Whether everything is as it must be, if it was before the topology of the given panels changed.
+inline bool is_sound(const Panel_work& work, const std::vector<int>& changed)
+{
+  if (!work.realisable) return work.panels.number_of_touches() == 0;
+  return work.panels.number_of_local_problems() == 0 && topology_problems(work.panels, changed) == 0;
+}
 
 /// The distinct labels of the faces that changed since `mark`.
 inline std::vector<int> changed_panels(const Panel_labelling& panels, std::size_t mark)
@@ -65,15 +82,7 @@ inline void settle(Panel_work& work, std::size_t mark)
     repair_touches(work.panels, work.fits, vertices);
     collect();
   }
-  if (work.panels.number_of_touches() == 0) work.relabelled += work.mender.mend(vertices);
-}
-
-/// The topological problems of some panels.
-inline int topology_problems(const Panel_labelling& panels, const std::vector<int>& which)
-{
-  int n = 0;
-  for (int p : which) n += panel_topology(panels, p).problems();
-  return n;
+  if (work.realisable && work.panels.number_of_touches() == 0) work.relabelled += work.mender.mend(vertices);
 }
 
 /// Pairs of panels whose merger may resolve a problem left by the changes since `mark`, cheapest first.
@@ -109,29 +118,29 @@ inline std::vector<std::pair<int, int>> culprits(Panel_work& work, std::size_t m
   return result;
 }
 
-/// Merges two neighbouring panels of a labelling without problems so that it has none afterwards; up to `depth` further
+/// Merges two neighbouring panels of a sound labelling so that it stays sound; up to `depth` further
 /// panels around the place are merged in if need be (a panel left with two neighbours goes to one of them, and so on).
 /// \return false, with everything as before, if that fails
-inline bool merge_validly(Panel_work& work, int p, int q, int depth, std::size_t mark)
+inline bool merge_soundly(Panel_work& work, int p, int q, int depth, std::size_t mark)
 {
+  if (!are_neighbours(work.panels, p, q)) return false;
   const std::size_t here = work.panels.mark();
   join_panels(work.panels, p, q);
   settle(work, here);
-  const int topology = topology_problems(work.panels, changed_panels(work.panels, mark));
-  if (topology == 0 && work.panels.number_of_local_problems() == 0) return true;
+  if (is_sound(work, changed_panels(work.panels, mark))) return true;
   if (depth > 0)
     for (const auto& pair : culprits(work, mark))
-      if (merge_validly(work, pair.first, pair.second, depth - 1, mark)) return true;
+      if (merge_soundly(work, pair.first, pair.second, depth - 1, mark)) return true;
   work.panels.roll_back(here);
   return false;
 }
 
-inline bool merge_validly(Panel_work& work, int p, int q, int depth = 0)
+inline bool merge_soundly(Panel_work& work, int p, int q, int depth = 0)
 {
-  return merge_validly(work, p, q, depth, work.panels.mark());
+  return merge_soundly(work, p, q, depth, work.panels.mark());
 }
 
-/// Merges at least cost until at most `target` panels are left, from a labelling without problems to one without.
+/// Merges at least cost until at most `target` panels are left, from a sound labelling to a sound one.
 /// \return the number of merges; the target may be missed if no more panels can be merged
 inline int merge_down_to(Panel_work& work, int target)
 {
@@ -142,7 +151,7 @@ inline int merge_down_to(Panel_work& work, int target)
     Merge_queue::Pair pair;
     while (work.panels.number_of_panels() > target && queue.pop(pair)) {
       const std::size_t mark = work.panels.mark();
-      if (!merge_validly(work, pair.p, pair.q, depth)) continue;
+      if (!merge_soundly(work, pair.p, pair.q, depth)) continue;
       queue.update(pair.p);
       queue.update(pair.q);
       for (int r : changed_panels(work.panels, mark))

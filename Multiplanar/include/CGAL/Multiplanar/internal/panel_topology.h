@@ -8,6 +8,7 @@
 #include <CGAL/Multiplanar/make_panel_complex.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <unordered_set>
 #include <vector>
 
@@ -28,7 +29,7 @@ struct Panel_topology
   std::vector<Closed_boundary> closed; ///< its boundaries without corners
 
   /// A panel that is the whole surface counts as one problem, whatever its genus.
-  int problems() const { return loops == 0 ? 1 : handles + int(closed.size()); }
+  int problems() const { return loops == 0 ? 1 : std::abs(handles) + int(closed.size()); }
 };
 
 /// The number of distinct vertices of faces.

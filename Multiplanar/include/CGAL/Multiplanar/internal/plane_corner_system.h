@@ -112,7 +112,7 @@ public:
   bool is_free(int p) const { return free_[p]; }
   int block_of(int p) const { return panel_block_[p]; }
 
-  /// Adds factor * u.dx of corner `c` to `form`.
+  /// Adds u.dx of corner `c` to `form`.
   void add_corner_motion(int c, const Vec3& u, Linear_form& form) const
   {
     if (!moves_[c]) return;
@@ -131,6 +131,14 @@ public:
   void add_panel_motion(int p, const Vec3& q, double factor, Linear_form& form) const
   {
     if (free_[p]) form.add(panel_block_[p], factor * incidence(p, q));
+  }
+
+  /// Adds u.dn of panel `p` to `form`.
+  void add_turn(int p, const Vec3& u, Linear_form& form) const
+  {
+    if (!free_[p]) return;
+    const Frame& f = frames_[p];
+    form.add(panel_block_[p], Vec3(u.dot(f.tangent[0]), u.dot(f.tangent[1]), 0) / f.radius);
   }
 
   /// Minimises 1/2 y.Hy + f.y under the constraints; H positive definite, lower triangle.

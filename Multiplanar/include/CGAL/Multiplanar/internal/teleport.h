@@ -4,179 +4,123 @@
 #ifndef CGAL_MULTIPLANAR_INTERNAL_TELEPORT_H
 #define CGAL_MULTIPLANAR_INTERNAL_TELEPORT_H
 
-#include <CGAL/Multiplanar/internal/Panel_model.h>
+#include <CGAL/Multiplanar/internal/panel_edits.h>
 
 #include <algorithm>
-#include <functional>
-#include <map>
+#include <atomic>
+#include <random>
 #include <set>
+#include <thread>
 #include <vector>
 
 namespace CGAL {
 namespace Multiplanar {
 namespace internal {
 
-/// Changes to the set of panels that keep what lowers the distance: the worst panel is split, and the pair of
-/// neighbours that costs least is merged; or the panels around the worst place share their faces out anew.
+/// Calls f(0) .. f(n - 1), on several threads.
+template <class F>
+void for_each_parallel(int n, int threads, F f)
+{
+  std::atomic<int> next(0);
+  const auto work = [&] {
+    for (int i = next++; i < n; i = next++) f(i);
+  };
+  std::vector<std::thread> others;
+  for (int t = 1; t < (std::min)(threads, n); ++t) others.emplace_back(work);
+  work();
+  for (std::thread& t : others) t.join();
+}
+
+/// Is `a` the better model: fewer faults, or as many, no more offences and a smaller p-norm?
+inline bool is_better(const Panel_model& a, const Panel_model& b, double factor = 1)
+{
+  if (a.faults != b.faults) return a.faults < b.faults;
+  return a.offences <= b.offences && a.merit < factor * b.merit;
+}
+
+/// The order of models to choose from.
+inline bool ranks_before(const Panel_model& a, const Panel_model& b)
+{
+  if (a.faults != b.faults) return a.faults < b.faults;
+  return a.merit * (1 + 0.02 * a.offences) < b.merit * (1 + 0.02 * b.offences);
+}
+
+/// Changes to the set of panels that keep what lowers the distance. At the places where the distance is largest, faces
+/// are shared out anew, or a panel is added there and elsewhere the pair of neighbours merged that costs least. Each
+/// attempt is followed by accuracy steps of the panels around; the best of a batch is kept. Batches are evaluated on
+/// several threads and judged in order, so results do not depend on the number of threads.
 class Teleport_search
 {
 public:
-  Teleport_search(const Panel_modeller& modeller, int max_panels)
-      : modeller(modeller), in(modeller.input()), c(modeller.connectivity()), cost(in, 1), max_panels(max_panels)
+  Teleport_search(const Panel_modeller& modeller, int max_panels, int threads = 1)
+      : modeller(modeller), edits(modeller, 1), max_panels(max_panels), threads(threads)
   {
   }
 
+  Accuracy_options local_options;
   int trials = 0;
-  std::map<std::string, std::array<int, 2>> tally;
 
-  /// Tries edits at the worst places until one lowers the merit. \return false if none does
+  /// All pairs of neighbours, cheapest first.
+  std::vector<Merge_candidate> cheapest_merges(const Panel_model& m) const { return edits.merges(m); }
+
+  /// Changes or removes panel `p`, whatever that does to the distance: the best of the edits around it that leave no
+  /// faults. \param remove whether `p` must go. \return false if there is none
+  bool rework(Panel_model& m, int p, bool remove)
+  {
+    edits.set_unit((std::max)(m.largest, 1e-9));
+    std::vector<Label_edit> candidates{edits.dissolve(m, p)};
+    for (int q : Panel_edits::neighbours(m, p)) {
+      candidates.push_back(edits.merge(m, p, q));
+      if (!remove) candidates.push_back(edits.divide_anew(m, p, q, m.panel_worst[p]));
+    }
+    std::vector<Panel_model> results;
+    std::vector<char> ok;
+    attempt_all(m, candidates, results, ok);
+    int best = -1;
+    for (int i = 0; i < int(results.size()); ++i)
+      if (ok[i] && (best < 0 || results[i].merit < results[best].merit)) best = i;
+    if (best < 0) return false;
+    m = std::move(results[best]);
+    return true;
+  }
+
+  /// Tries edits at the worst places until one lowers the p-norm. \return false if none does
   bool improve_once(Panel_model& m)
   {
-    cost.set_unit((std::max)(m.largest, 1e-9));
-    std::vector<int> order(m.panels());
-    for (int p = 0; p < m.panels(); ++p) order[p] = p;
-    std::stable_sort(order.begin(), order.end(), [&](int p, int q) { return m.panel_error[p] > m.panel_error[q]; });
-    const auto merges = cheapest_merges(m);
-    for (int place = 0; place < 3 && place < m.panels(); ++place) {
+    edits.set_unit((std::max)(m.largest, 1e-9));
+    const std::vector<int> order = worst_first(m);
+    const auto merges = edits.merges(m);
+    for (int place = 0; place < 4 && place < m.panels(); ++place) {
       const int p = order[place];
       if (m.panel_error[p] < 0.8 * m.largest) break;
-      const int face = m.panel_worst[p];
-      if (accept("share", m, share_anew(m, p, face, false))) return true;
-      for (int variant = 0; variant < 2; ++variant) {
-        const Label_edit split = variant == 0 ? split_panel(m, p, face) : share_anew(m, p, face, true);
-        Panel_model divided;
-        if (!try_edit(m, split, divided, 1)) continue;
-        if (divided.panels() <= max_panels) {
-          if (better(divided, m)) {
-            m = std::move(divided);
-            return true;
-          }
-          continue;
-        }
-        if (!(divided.merit < m.merit * 0.9995)) continue;
-        int tried = 0;
-        for (const auto& pair : merges) {
-          if (tried >= 4) break;
-          if (pair.error > 1.0 * m.largest) break;
-          // The split keeps all numbers; its new panel is the last.
-          if (pair.p == p || pair.q == p) continue;
-          ++tried;
-          Label_edit e = no_edit(divided.labels, divided.panels());
-          merge_labels(e, pair.p, pair.q);
-          Panel_model merged;
-          const bool ok = try_edit(divided, e, merged, 1);
-          tally["merge"][0]++;
-          if (ok && better(merged, m)) {
-            tally["merge"][1]++;
-            m = std::move(merged);
-            return true;
-          }
-        }
-      }
+      if (improve_at(m, p, merges)) return true;
     }
     return false;
   }
 
-  struct Merge
+  /// A random change that need not improve anything: a panel is added at one of the bad places and a cheap pair merged.
+  /// \return false if none was possible
+  bool kick(Panel_model& m, std::mt19937_64& random)
   {
-    int p, q;
-    double error;
-  };
-
-  /// Pairs of neighbours by the largest distance of their vertices from their common plane.
-  std::vector<Merge> cheapest_merges(const Panel_model& m) const
-  {
-    std::set<std::pair<int, int>> pairs;
-    for (const auto& e : m.topology->edges) pairs.insert(std::minmax(e.panels[0], e.panels[1]));
-    std::vector<std::vector<int>> faces(m.panels());
-    for (int f = 0; f < c.number_of_faces(); ++f) faces[m.labels[f]].push_back(f);
-    std::vector<Merge> result;
-    for (const auto& pq : pairs) {
-      Moments sum = m.moments[pq.first];
-      sum += m.moments[pq.second];
-      Proxy plane;
-      fit_plane(sum, plane.normal, plane.offset);
-      double low = 0, high = 0;
-      for (int p : {pq.first, pq.second})
-        for (int f : faces[p])
-          for (int v : c.triangles[f]) {
-            const double d = plane.normal.dot(in.points[v]) - plane.offset;
-            low = (std::min)(low, d), high = (std::max)(high, d);
-          }
-      result.push_back({pq.first, pq.second, (high - low) / 2});
+    edits.set_unit((std::max)(m.largest, 1e-9));
+    const std::vector<int> order = worst_first(m);
+    const auto merges = edits.merges(m);
+    for (int attempt = 0; attempt < 6; ++attempt) {
+      const int p = order[random() % std::uint64_t((std::min)(m.panels(), 4 + m.panels() / 4))];
+      const auto& pair = merges[random() % std::uint64_t((std::min)(int(merges.size()), 4 + m.panels() / 4))];
+      if (pair.p == p || pair.q == p) continue;
+      Panel_model smaller, result;
+      if (!attempt_edit(m, edits.merge(m, pair.p, pair.q), smaller)) continue;
+      const int worst = order_position(smaller, m, p);
+      const int face = smaller.panel_worst[worst];
+      if (!attempt_edit(smaller, edits.split(smaller, worst, face), result)) continue;
+      m = std::move(result);
+      return true;
     }
-    std::stable_sort(result.begin(), result.end(), [](const Merge& a, const Merge& b) { return a.error < b.error; });
-    return result;
+    return false;
   }
 
-  Label_edit split_panel(const Panel_model& m, int p, int face) const
-  {
-    Label_edit e = no_edit(m.labels, m.panels());
-    std::vector<int> region;
-    for (int f = 0; f < c.number_of_faces(); ++f)
-      if (m.labels[f] == p) region.push_back(f);
-    if (m.labels[face] != p) face = region.front();
-    const int fresh = m.panels();
-    std::vector<Proxy> proxies{plane_of(m, p), plane_of_face(face)};
-    std::vector<int> labels{p, fresh}, seeds{-1, face};
-    lloyd(region, proxies, labels, seeds, e, 4);
-    e.old_panel.push_back(-1), e.refit.push_back(1), e.refit[p] = 1;
-    return e;
-  }
-
-  /// The faces of `p` and its neighbours are shared out anew among them, and a fresh panel if wanted.
-  Label_edit share_anew(const Panel_model& m, int p, int face, bool with_fresh) const
-  {
-    Label_edit e = no_edit(m.labels, m.panels());
-    std::vector<char> in_set(m.panels(), 0);
-    in_set[p] = 1;
-    for (const auto& edge : m.topology->edges)
-      for (int i = 0; i < 2; ++i)
-        if (edge.panels[i] == p) in_set[edge.panels[1 - i]] = 1;
-    std::vector<int> region, labels, seeds;
-    for (int f = 0; f < c.number_of_faces(); ++f)
-      if (in_set[m.labels[f]]) region.push_back(f);
-    std::vector<Proxy> proxies;
-    for (int q = 0; q < m.panels(); ++q)
-      if (in_set[q])
-        proxies.push_back(plane_of(m, q)), labels.push_back(q), seeds.push_back(-1), e.refit[q] = with_fresh;
-    if (with_fresh) {
-      proxies.push_back(plane_of_face(face)), labels.push_back(m.panels()), seeds.push_back(face);
-      e.old_panel.push_back(-1), e.refit.push_back(1);
-    }
-    lloyd(region, proxies, labels, seeds, e, with_fresh ? 3 : 1);
-    return e;
-  }
-
-  /// The model after an edit and local accuracy steps.
-  bool try_edit(const Panel_model& m, Label_edit edit, Panel_model& result, int ring)
-  {
-    ++trials;
-    clip_ears(c, edit.labels);
-    std::vector<char> touched;
-    if (!modeller.rebuild(&m, edit, result, touched) || result.faults > m.faults) return false;
-    std::vector<char> free = touched;
-    for (int i = 0; i < ring; ++i) free = with_ring(*result.topology, free);
-    modeller.improve(result, free, local_options);
-    return result.faults <= m.faults;
-  }
-
-  bool better(const Panel_model& a, const Panel_model& b) const
-  {
-    return a.faults < b.faults || (a.faults == b.faults && a.merit < b.merit * 0.9995);
-  }
-
-  bool accept(const char* name, Panel_model& m, const Label_edit& edit)
-  {
-    Panel_model result;
-    tally[name][0]++;
-    if (!try_edit(m, edit, result, 1) || !better(result, m)) return false;
-    tally[name][1]++;
-    m = std::move(result);
-    return true;
-  }
-
-  /// Removes faults: for panels with faults, edits that lower their number, cheapest first.
+  /// Edits that lower the number of faults; the best of all near the panels concerned. \return false if there is none
   bool repair_once(Panel_model& m)
   {
     std::set<int> bad;
@@ -184,66 +128,162 @@ public:
       if (!m.surface->is_simple(p)) bad.insert(p);
     for (const auto& pair : m.surface->conflicts(m.state, std::vector<char>(m.panels(), 1), 100))
       bad.insert(pair[0]), bad.insert(pair[1]);
-    Panel_model best;
-    best.faults = m.faults;
-    best.merit = 1e300;
-    const auto consider = [&](const Label_edit& e) {
-      Panel_model r;
-      Label_edit clipped = e;
-      clip_ears(c, clipped.labels);
-      ++trials;
-      std::vector<char> touched;
-      if (!modeller.rebuild(&m, clipped, r, touched) || r.faults > best.faults || r.faults >= m.faults) return;
-      modeller.measure(r, touched);
-      if (r.faults < best.faults || r.merit < best.merit) best = std::move(r);
-    };
-    cost.set_unit(0.02);
-    for (int p : bad) consider(share_anew(m, p, -1, false));
+    edits.set_unit(0.02);
+    std::vector<Label_edit> candidates;
     std::set<std::pair<int, int>> pairs;
-    for (const auto& e : m.topology->edges)
-      if (bad.count(e.panels[0]) || bad.count(e.panels[1])) pairs.insert(std::minmax(e.panels[0], e.panels[1]));
-    for (const auto& pq : pairs) {
-      Label_edit e = no_edit(m.labels, m.panels());
-      merge_labels(e, pq.first, pq.second);
-      consider(e);
+    for (int p : bad) {
+      candidates.push_back(edits.share(m, with_neighbours(m, p)));
+      candidates.push_back(edits.dissolve(m, p));
+      for (int q : Panel_edits::neighbours(m, p)) pairs.insert(std::minmax({p, q}));
     }
-    if (best.faults >= m.faults) return false;
-    m = std::move(best);
+    for (const auto& pq : pairs) candidates.push_back(edits.merge(m, pq.first, pq.second));
+    std::vector<Panel_model> results(candidates.size());
+    std::vector<char> ok(candidates.size(), 0);
+    trials += int(candidates.size());
+    for_each_parallel(int(candidates.size()), threads, [&](int i) {
+      std::vector<char> touched;
+      clip_ears(modeller.connectivity(), candidates[i].labels);
+      ok[i] = modeller.rebuild(&m, candidates[i], results[i], touched) && results[i].faults < m.faults;
+      if (ok[i]) modeller.measure(results[i], touched);
+    });
+    int best = -1;
+    for (int i = 0; i < int(results.size()); ++i)
+      if (ok[i] && (best < 0 || ranks_before(results[i], results[best]))) best = i;
+    if (best < 0) return false;
+    m = std::move(results[best]);
     return true;
   }
 
-  Accuracy_options local_options;
+  /// Removes short edges and narrow panels: the best of the edits near one that lower their number. \return false if
+  /// there is none
+  bool tidy_once(Panel_model& m)
+  {
+    edits.set_unit((std::max)(m.largest, 1e-9));
+    std::set<int> concerned;
+    std::set<std::pair<int, int>> pairs;
+    for (const auto& e : m.topology->edges) {
+      if (!modeller.is_short(m, e)) continue;
+      for (int x : e.corners)
+        for (int p : m.topology->corner_panels[x]) concerned.insert(p);
+    }
+    for (int p = 0; p < m.panels(); ++p)
+      if (modeller.is_narrow(m, p)) concerned.insert(p);
+    std::vector<Label_edit> candidates;
+    for (int p : concerned) {
+      candidates.push_back(edits.share(m, with_neighbours(m, p)));
+      candidates.push_back(edits.dissolve(m, p));
+      for (int q : Panel_edits::neighbours(m, p))
+        if (pairs.insert(std::minmax({p, q})).second) candidates.push_back(edits.merge(m, p, q));
+    }
+    std::vector<Panel_model> results;
+    std::vector<char> ok;
+    attempt_all(m, candidates, results, ok);
+    int best = -1;
+    for (int i = 0; i < int(results.size()); ++i)
+      if (ok[i] && results[i].offences < m.offences && (best < 0 || results[i].merit < results[best].merit)) best = i;
+    if (best < 0) return false;
+    m = std::move(results[best]);
+    return true;
+  }
 
 private:
-  Proxy plane_of(const Panel_model& m, int p) const { return {m.state.normal[p], m.state.offset[p]}; }
-  Proxy plane_of_face(int f) const
+  static std::vector<int> worst_first(const Panel_model& m)
   {
-    const auto& t = c.triangles[f];
-    const Vec3 n = (in.points[t[1]] - in.points[t[0]]).cross(in.points[t[2]] - in.points[t[0]]).normalized();
-    return {n, n.dot(in.points[t[0]])};
+    std::vector<int> order(m.panels());
+    for (int p = 0; p < m.panels(); ++p) order[p] = p;
+    std::stable_sort(order.begin(), order.end(), [&](int p, int q) { return m.panel_error[p] > m.panel_error[q]; });
+    return order;
   }
 
-  void lloyd(const std::vector<int>& region, std::vector<Proxy> proxies, const std::vector<int>& labels,
-             std::vector<int> seeds, Label_edit& e, int rounds) const
+  static std::vector<int> with_neighbours(const Panel_model& m, int p)
   {
-    for (int i = 0; i < rounds; ++i) {
-      flood(c, region, proxies, labels, seeds, cost, e.labels);
-      if (i + 1 == rounds) break;
-      for (std::size_t j = 0; j < proxies.size(); ++j) {
-        Moments sum;
-        for (int f : region)
-          if (e.labels[f] == labels[j]) sum += modeller.moments_of_faces()[f];
-        if (sum.area > 0) fit_plane(sum, proxies[j].normal, proxies[j].offset);
-        seeds[j] = -1;
-      }
-    }
+    std::vector<int> result = Panel_edits::neighbours(m, p);
+    result.push_back(p);
+    return result;
   }
+
+  /// The panel of `now` that holds the worst face of panel `p` of `before`.
+  static int order_position(const Panel_model& now, const Panel_model& before, int p)
+  {
+    return now.labels[before.panel_worst[p]];
+  }
+
+  bool improve_at(Panel_model& m, int p, const std::vector<Merge_candidate>& merges)
+  {
+    const int face = m.panel_worst[p];
+    std::vector<Label_edit> candidates{edits.share(m, with_neighbours(m, p)), edits.split(m, p, face),
+                                       edits.share_with_fresh(m, with_neighbours(m, p), face)};
+    for (int q : Panel_edits::neighbours(m, p)) candidates.push_back(edits.divide_anew(m, p, q, face));
+    std::vector<Panel_model> results;
+    std::vector<char> ok;
+    attempt_all(m, candidates, results, ok);
+    int best = -1;
+    for (int i = 0; i < int(results.size()); ++i)
+      if (ok[i] && results[i].panels() <= max_panels && is_better(results[i], m, least_gain) &&
+          (best < 0 || ranks_before(results[i], results[best])))
+        best = i;
+    if (best >= 0) {
+      m = std::move(results[best]);
+      return true;
+    }
+    for (int i = 0; i < int(results.size()); ++i)
+      if (ok[i] && results[i].panels() > max_panels && is_better(results[i], m, least_gain) &&
+          merge_back(m, p, results[i], merges))
+        return true;
+    return false;
+  }
+
+  /// `larger` is `m` with one panel more; keeps it if a pair far from `p` can be merged and the whole is an
+  /// improvement.
+  bool merge_back(Panel_model& m, int p, const Panel_model& larger, const std::vector<Merge_candidate>& merges)
+  {
+    std::vector<Label_edit> candidates;
+    for (const auto& pair : merges) { // the numbers of m are those of `larger`, whose new panel is the last
+      if (candidates.size() >= 6 || pair.error > 1.2 * m.largest) break;
+      if (pair.p != p && pair.q != p) candidates.push_back(edits.merge(larger, pair.p, pair.q));
+    }
+    std::vector<Panel_model> results;
+    std::vector<char> ok;
+    attempt_all(larger, candidates, results, ok);
+    int best = -1;
+    for (int i = 0; i < int(results.size()); ++i)
+      if (ok[i] && is_better(results[i], m, least_gain) && (best < 0 || ranks_before(results[i], results[best])))
+        best = i;
+    if (best < 0) return false;
+    m = std::move(results[best]);
+    return true;
+  }
+
+  void attempt_all(const Panel_model& m, std::vector<Label_edit>& candidates, std::vector<Panel_model>& results,
+                   std::vector<char>& ok)
+  {
+    results.resize(candidates.size());
+    ok.assign(candidates.size(), 0);
+    trials += int(candidates.size());
+    for_each_parallel(int(candidates.size()), threads, [&](int i) { ok[i] = evaluate(m, candidates[i], results[i]); });
+  }
+
+  bool attempt_edit(const Panel_model& m, Label_edit edit, Panel_model& result)
+  {
+    ++trials;
+    return evaluate(m, edit, result);
+  }
+
+  /// The model after an edit and accuracy steps around it. \return false if that is not possible without new faults
+  bool evaluate(const Panel_model& m, Label_edit& edit, Panel_model& result) const
+  {
+    clip_ears(modeller.connectivity(), edit.labels);
+    std::vector<char> touched;
+    if (!modeller.rebuild(&m, edit, result, touched) || result.faults > m.faults) return false;
+    modeller.improve(result, with_ring(*result.topology, touched), local_options);
+    return result.faults <= m.faults;
+  }
+
+  static constexpr double least_gain = 0.9995;
 
   const Panel_modeller& modeller;
-  const Input_surface& in;
-  const Connectivity& c;
-  Face_cost cost;
-  int max_panels;
+  Panel_edits edits;
+  int max_panels, threads;
 };
 
 } // namespace internal

@@ -39,11 +39,13 @@ struct Panel_sample
   int near; ///< the model's face that was closest last time
 };
 
-/// A distance as it stands: how long, in which direction the panel's point lies, and whose point that is.
+/// A distance as it stands: how long (times the importance of the place), in which direction the panel's point lies,
+/// and whose point that is.
 struct Distance
 {
   double r = 0;
-  Vec3 u = Vec3::Zero();
+  double importance = 1;
+  Vec3 u = Vec3::Zero(); ///< of unit length
   Vec3 point = Vec3::Zero();
   std::array<int, 3> corner{{-1, -1, -1}};
   Barycentric weights{{1, 0, 0}};
@@ -170,9 +172,9 @@ public:
               double threshold, Evaluation& e)
   {
     const auto keep = [&](const Distance& old, Distance& d) {
-      if (old.r + old.slack + motion > threshold) return false;
+      if (old.r + old.slack + motion * old.importance > threshold) return false;
       d = old;
-      d.slack += motion;
+      d.slack += motion * old.importance;
       return true;
     };
     e.to_panels.resize(base.to_panels.size());
@@ -200,11 +202,11 @@ public:
     form.clear();
     const double along = d.u.dot(s.normal[d.panel]);
     if (std::abs(along) > 0.999) {
-      system.add_panel_motion(d.panel, d.point, along, form);
+      system.add_panel_motion(d.panel, d.point, d.importance * along, form);
       return;
     }
     for (int j = 0; j < 3; ++j)
-      if (d.weights.w[j] > 1e-12) system.add_corner_motion(d.corner[j], d.weights.w[j] * d.u, form);
+      if (d.weights.w[j] > 1e-12) system.add_corner_motion(d.corner[j], d.importance * d.weights.w[j] * d.u, form);
   }
 
 private:
@@ -217,6 +219,7 @@ private:
     d.panel = surface.panel_of(c.triangle);
     d.corner = surface.triangles()[c.triangle];
     d.weights = c.weights;
+    d.importance = in.importance_of(in.samples[active_[i]].face);
     set(d, c.point, v, s.normal[d.panel]);
   }
 
@@ -228,6 +231,7 @@ private:
     const auto c = in.tree.closest(x, q.near);
     q.near = c.triangle;
     d.panel = q.panel, d.corner = q.corner, d.weights = q.weights;
+    d.importance = in.importance_of(c.triangle);
     set(d, x, c.point, s.normal[q.panel]);
   }
 
@@ -235,8 +239,9 @@ private:
   {
     const Vec3 v = panel_point - other;
     d.point = panel_point;
-    d.r = v.norm();
-    d.u = d.r > 1e-10 ? Vec3(v / d.r) : normal;
+    const double r = v.norm();
+    d.r = d.importance * r;
+    d.u = r > 1e-10 ? Vec3(v / r) : normal;
     d.slack = 0;
   }
 
