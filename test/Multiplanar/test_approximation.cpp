@@ -89,6 +89,19 @@ void expect_promises(const Multiplanar_test::Mesh& source, const Outcome& run, i
 
 auto fast(int k) { return parameters::number_of_panels(k).effort(Effort::fast).number_of_iterations(10); }
 
+TEST(Named_parameters, none_is_dropped_in_a_mixed_chain)
+{
+  const Surface_mesh mesh;
+  const Approximation_options o =
+      internal::approximation_options(mesh, fast(16).number_of_restarts(3).random_seed(7).deformation_solver(Solver::ceres));
+  EXPECT_EQ(o.panels, 16);
+  EXPECT_EQ(o.effort, Effort::fast);
+  EXPECT_EQ(o.iterations, 10);
+  EXPECT_EQ(o.restarts, 3);
+  EXPECT_EQ(o.seed, 7u);
+  EXPECT_EQ(o.solver, Solver::ceres);
+}
+
 TEST(Approximation, cube_stays_a_cube_and_stops_early)
 {
   const auto source = Multiplanar_test::cube(6);

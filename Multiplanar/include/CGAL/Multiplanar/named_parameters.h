@@ -20,8 +20,10 @@ namespace internal_np {
 #undef CGAL_add_named_parameter
 } // namespace internal_np
 
-/// CGAL's named parameters extended by this package's. Ours come first in a chain and CGAL's follow:
-/// `Multiplanar::parameters::number_of_panels(50).random_seed(3)`.
+/// CGAL's named parameters extended by this package's, chained in any order:
+/// `Multiplanar::parameters::number_of_panels(50).random_seed(3).effort(Multiplanar::Effort::fast)`.
+/// CGAL's own are declared again so that they return this type: a member inherited from a link further down the chain
+/// would drop the links above it.
 template <typename T, typename Tag, typename Base = CGAL::internal_np::No_property>
 struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 {
@@ -39,6 +41,23 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   }
 #include <CGAL/Multiplanar/internal/parameters_interface.h>
 #undef CGAL_add_named_parameter
+
+#define CGAL_add_named_parameter(X, Y, Z)                                                                              \
+  template <typename K>                                                                                                \
+  Named_parameters<K, CGAL::internal_np::X, self> Z(const K& k) const                                                  \
+  {                                                                                                                    \
+    return Named_parameters<K, CGAL::internal_np::X, self>(k, *this);                                                  \
+  }
+#define CGAL_add_named_parameter_with_compatibility(X, Y, Z) CGAL_add_named_parameter(X, Y, Z)
+#define CGAL_add_named_parameter_with_compatibility_cref_only(X, Y, Z) CGAL_add_named_parameter(X, Y, Z)
+#define CGAL_add_named_parameter_with_compatibility_ref_only(X, Y, Z) CGAL_add_named_parameter(X, Y, Z)
+#define CGAL_add_extra_named_parameter_with_compatibility(X, Y, Z)
+#include <CGAL/STL_Extension/internal/parameters_interface.h>
+#undef CGAL_add_named_parameter
+#undef CGAL_add_named_parameter_with_compatibility
+#undef CGAL_add_named_parameter_with_compatibility_cref_only
+#undef CGAL_add_named_parameter_with_compatibility_ref_only
+#undef CGAL_add_extra_named_parameter_with_compatibility
 };
 
 namespace parameters {
