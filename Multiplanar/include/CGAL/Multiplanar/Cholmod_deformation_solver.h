@@ -36,8 +36,10 @@ class Deformation_normal_equations
 {
 public:
   /// Orders and analyses the system; keeps a pointer to `connectivity`.
-  Deformation_normal_equations(const Connectivity& connectivity, const Points& rest, const Deformation_weights& weights)
-      : terms_(connectivity, rest, weights), system_(vertex_graph(connectivity, weights.smoothness > 0 ? 2 : 1))
+  Deformation_normal_equations(const Connectivity& connectivity, const Points& rest, const Deformation_weights& weights,
+                               int threads)
+      : terms_(connectivity, rest, weights),
+        system_(vertex_graph(connectivity, weights.smoothness > 0 ? 2 : 1), threads)
   {
     if (!system_.is_valid()) return;
     const Connectivity& c = connectivity;
@@ -175,7 +177,7 @@ private:
 
 /// \ingroup PkgMultiplanarRef
 ///
-/// The deformation solved by a direct sparse Cholesky factorisation (CHOLMOD, supernodal).
+/// The deformation solved by a direct sparse Cholesky factorisation over CHOLMOD's ordering and supernodes.
 ///
 /// \cgalModels `MultiplanarDeformationSolver`
 ///
@@ -188,8 +190,8 @@ class Cholmod_deformation_solver
 public:
   /// \copydoc MultiplanarDeformationSolver::MultiplanarDeformationSolver()
   Cholmod_deformation_solver(const internal::Connectivity& connectivity, const Points& rest,
-                             const Deformation_weights& weights, int /* threads */)
-      : equations_(new internal::Deformation_normal_equations(connectivity, rest, weights))
+                             const Deformation_weights& weights, int threads)
+      : equations_(new internal::Deformation_normal_equations(connectivity, rest, weights, threads))
   {
   }
 

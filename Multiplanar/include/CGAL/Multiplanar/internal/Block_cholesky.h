@@ -5,6 +5,7 @@
 #define CGAL_MULTIPLANAR_INTERNAL_BLOCK_CHOLESKY_H
 
 #include <CGAL/Multiplanar/internal/Cholmod.h>
+#include <CGAL/Multiplanar/internal/Multifrontal_cholesky.h>
 #include <CGAL/Multiplanar/internal/elimination_order.h>
 #include <CGAL/Multiplanar/internal/serial_libraries.h>
 
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -25,8 +27,9 @@ using Symmetric_block = std::array<double, 6>;
 /// A symmetric positive definite system with three unknowns a vertex and a fixed pattern: factorised anew for each set
 /// of values, ordered and analysed once.
 ///
-/// The matrix lies in memory in its elimination order, lower triangle by columns, so CHOLMOD factorises it in place
-/// of a permuted copy. Every block added must be symmetric itself.
+/// The matrix lies in memory in its elimination order, lower triangle by columns, so that no permuted copy is made for
+/// each factorisation. CHOLMOD orders, analyses and substitutes; `Multifrontal_cholesky` factorises. Every block added
+/// must be symmetric itself.
 class Block_cholesky
 {
 public:
@@ -38,7 +41,7 @@ public:
   };
 
   /// Orders and analyses. Time: that of nested dissection, O(n log n). See `is_valid()`.
-  explicit Block_cholesky(const Vertex_graph& graph)
+  Block_cholesky(const Vertex_graph& graph, int threads)
       : x_(cholmod_), y_(cholmod_), e_(cholmod_), factor_(nullptr, Free_cholmod_factor{&cholmod_})
   {
     const std::vector<int> order = elimination_order(graph);
@@ -46,7 +49,7 @@ public:
     rank_.resize(order.size());
     for (int i = 0; i < int(order.size()); ++i) rank_[order[i]] = i;
     fill_pattern(graph, order);
-    analyze();
+    analyze(threads);
   }
 
   /// False if there was not enough memory for the analysis. Then nothing else may be called.
@@ -105,13 +108,13 @@ public:
     value[2 * slot.step - 1] += weight;
   }
 
-  /// Returns false if the matrix is not positive definite, not finite, or memory runs out.
+  /// Returns false if the matrix is not positive definite.
   bool factorize()
   {
     CGAL_precondition(is_valid());
     Serial_libraries serial;
     cholmod_sparse matrix = view();
-    return cholmod_factorize(&matrix, factor_.get(), cholmod_.get()) != 0 && cholmod_->status == CHOLMOD_OK;
+    return fronts_->factorize(matrix);
   }
 
   /// Solves with the last successful factorisation; `b` and `x` by rank. Returns false if the result is not finite.
@@ -155,7 +158,7 @@ private:
     values_.assign(rows_.size(), 0.);
   }
 
-  void analyze()
+  void analyze(int threads)
   {
     Serial_libraries serial;
     cholmod_->nmethods = 1;
@@ -164,6 +167,9 @@ private:
     cholmod_->supernodal = CHOLMOD_SUPERNODAL;
     cholmod_sparse matrix = view();
     factor_.reset(cholmod_analyze(&matrix, cholmod_.get()));
+    if (factor_ != nullptr && !cholmod_change_factor(CHOLMOD_REAL, 1, 1, 1, 1, factor_.get(), cholmod_.get()))
+      factor_.reset();
+    if (factor_ != nullptr) fronts_.reset(new Multifrontal_cholesky(*factor_, threads));
   }
 
   cholmod_sparse view()
@@ -178,6 +184,7 @@ private:
   Cholmod cholmod_; // outlives what is below
   Cholmod_dense x_, y_, e_;
   Cholmod_factor factor_;
+  std::unique_ptr<Multifrontal_cholesky> fronts_;
 };
 
 } // namespace internal
