@@ -160,27 +160,45 @@ TEST(Truncation, thin_plate)
   EXPECT_EQ(truncation.warnings.size(), 2u);
 }
 
-/// Two blocks joined by a bar 2 mm thick: front and back keep their blocks and lose the bar.
+/// An hourglass: top and bottom are wider than the sides and give way to them, which takes the neck away.
 TEST(Truncation, panel_falls_apart)
 {
-  const auto complex = prism({{{0, 0},
-                               {40, 0},
-                               {40, 19},
-                               {80, 19},
-                               {80, 0},
-                               {120, 0},
-                               {120, 40},
-                               {80, 40},
-                               {80, 21},
-                               {40, 21},
-                               {40, 40},
-                               {0, 40}}},
-                             50);
+  const auto complex = prism({{{0, 0}, {100, 0}, {52, 50}, {100, 100}, {0, 100}, {48, 50}}}, 20);
   const auto truncation = truncate_panels(complex, 3);
-  ASSERT_EQ(truncation.panels[0].pieces.size(), 1u); // in its plane the bar is an arm of the top, and stays
-  const auto slanted = prism({{{0, 0}, {40, 0}, {45, 18.9}, {75, 18.9}, {80, 0}, {120, 0}, {120, 40}, {0, 40}}}, 20);
-  expect_fitting(slanted, 3, truncate_panels(slanted, 3));
+  for (int p = 0; p < 8; ++p) EXPECT_EQ(truncation.panels[p].pieces.size(), p < 2 ? 2u : 1u);
+  ASSERT_EQ(truncation.warnings.size(), 2u);
+  EXPECT_NE(truncation.warnings[0].find("P01 falls apart into 2 pieces (P01a, P01b)"), std::string::npos)
+      << truncation.warnings[0];
   expect_fitting(complex, 3, truncation);
+}
+
+/// Placed in the order of the truncation, every panel comes along its normal past all that stand, but for the pairs
+/// listed as blocked.
+TEST(Truncation, later_panels_come_past_earlier_ones)
+{
+  int overhangs = 0;
+  for (const auto& complex : {wedge(300, 120, 60), wedge(275, 120, 60), stellated(octahedron(), 0.9, 80),
+                              triangle_panels(bumpy_sphere(2, 0.28), 120)}) {
+    const double t = 3, way = 4;
+    const auto truncation = truncate_panels(complex, t);
+    overhangs += int(truncation.overhangs.size());
+    EXPECT_TRUE(truncation.blocked.empty());
+    std::vector<std::vector<Convex_solid>> placed;
+    for (int p : truncation.order)
+      for (const Flat_polygon& piece : truncation.panels[p].pieces) {
+        Part part;
+        part.frame = truncation.panels[p].frame;
+        part.outline = piece.outline;
+        part.holes = piece.holes;
+        Part coming = part;
+        coming.frame.origin = part.frame.origin + way * part.frame.normal;
+        for (const auto& moving : solids(coming, t + way))
+          for (const auto& solid : placed)
+            for (const auto& s : solid) EXPECT_FALSE(interiors_meet(moving, s)) << "panel " << p;
+        placed.push_back(solids(part, t));
+      }
+  }
+  EXPECT_GE(overhangs, 2);
 }
 
 TEST(Truncation, refuses_what_is_not_flat)

@@ -117,17 +117,12 @@ void check_teeth(const Written_model& model, const Written_edge& edge, Report& r
                      " mm wide, less than the thickness");
 }
 
-/// Slots without a tab: a hole of a panel part that is no hole of its panel.
 void check_empty_slots(const Written_model& model, const Used& used, Report& report)
 {
-  for (const Written_part& part : model.parts) {
-    const int panel = model.panel_of_part(part);
-    if (panel < 0) continue;
-    for (std::size_t h = 0; h < part.holes.size(); ++h)
-      if (!part.holes[h].empty() && !used.slots.count({&part, h}) &&
-          !surrounds_hole_of_panel(model, model.panels[panel], part, part.holes[h]))
+  for (const Written_part& part : model.parts)
+    for (std::size_t h = 0; h < part.holes.size() && part.is_panel; ++h)
+      if (!used.slots.count({&part, h}) && is_slot(part.holes[h], model.thickness))
         report.violation("part " + part.id + " has a slot at " + shown(part.holes[h][0]) + " that holds no tab");
-  }
 }
 
 } // namespace

@@ -42,11 +42,11 @@ Placed_part place(const Written_part& part, const Written_placement& placement);
 /*!
 What is wrong with the cuts of one part, in words; empty if nothing is.
 
-A cut has to run at kerf / 2 from the nominal part, on the side of the waste; beside a tab or tooth it may be
-up to fit / 2 farther. So every cut must keep kerf / 2 from the part everywhere, and every stretch of it must lie that
-near to one side of the part. The outer cut goes around the part, and every hole that is wider than the kerf
-has a cut around what falls out. At least two sides of every tab, or one if it has fewer than three, are drawn fit / 2
-wider.
+A cut has to run at kerf / 2 from the nominal part, on the side of the waste; beside a tab or tooth, whose sides grow
+by fit / 2 and whose corners by a little more, it may be up to the fit farther. So every cut must keep kerf / 2 from the
+part everywhere, and every stretch of it must lie that near to one side of the part. The outer cut goes around the part,
+and every hole that is wider than the kerf has a cut around what falls out. At least two sides of every tab, or one if
+it has fewer than three, are drawn fit / 2 wider.
 
 All within `drawing_tolerance`. No path is constructed here to compare with: only distances are measured.
 */

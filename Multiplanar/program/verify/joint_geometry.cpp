@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace CGAL {
 namespace Multiplanar {
@@ -103,23 +104,23 @@ double play_in_hole(const Tab_section& section, const Loop& hole)
   return play;
 }
 
-bool surrounds_hole_of_panel(const Written_model& model, const Written_panel& panel, const Written_part& part,
-                             const Loop& hole)
+bool is_slot(const Loop& hole, double thickness)
 {
-  for (std::size_t i = 1; i < panel.loops.size(); ++i)
-    for (int corner : panel.loops[i]) {
-      const Point_3 q = in_frame(part.frame, model.corners[corner]);
-      const Point_2 p(q.x(), q.y());
-      if (side_of(hole, p) >= 0 || distance_to_boundary(p, hole) <= slot_tolerance) return true;
-    }
-  return false;
+  if (hole.size() != 4) return false;
+  double off = 1e300, skew = 0; // from the thickness, from right angles
+  for (int i = 0; i < 4; ++i) {
+    const Vector_2<Kernel> d = hole[(i + 1) % 4] - hole[i], e = hole[(i + 2) % 4] - hole[(i + 1) % 4];
+    const double length = std::sqrt(d.squared_length());
+    off = (std::min)(off, std::abs(length - thickness));
+    skew = (std::max)(skew, std::abs(d * e) / length);
+  }
+  return skew < slot_tolerance && off < slot_tolerance;
 }
 
 Joint_line line_in_overlap(const Written_panel& p, const Written_panel& q, const Point_3& a, const Point_3& b,
                            double thickness)
 {
-  // Notation: n, m outward normals; the point x with n.x = m.x = -t/2, seen from the edge, is -(t/2) (n + m) / (1 +
-  // n.m).
+  // Notation: n, m outward normals. The point with n.x = m.x = -t/2, seen from the edge, is -(t/2) (n + m) / (1 + n.m).
   const double cosine = p.normal * q.normal;
   const double sine = std::sqrt(CGAL::cross_product(p.normal, q.normal).squared_length());
   Joint_line line{false, a, b, 0, 0, 0};
@@ -131,9 +132,9 @@ Joint_line line_in_overlap(const Written_panel& p, const Written_panel& q, const
   line.to = b + x + beyond / length * (b - a);
   line.begin = beyond;
   line.end = beyond + length;
-  // With theta = 180 - angle(n, m) inside the solid: the panel that gives way ends t sin(theta) before the other if
-  // theta
-  // >= 90, and t cot(theta / 2) - t cot(theta) = t / sin(theta) before it otherwise.
+  // Notation: theta = 180 - angle(n, m) is the angle inside the solid, t the thickness. The panel that gives way ends
+  // before the other: by t sin(theta) if theta is 90 degrees or more, else by t cot(theta/2) - t cot(theta), which is
+  // t / sin(theta).
   line.tooth_depth = cosine >= 0 ? thickness * sine : thickness / sine;
   return line;
 }

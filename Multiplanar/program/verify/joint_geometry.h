@@ -36,9 +36,9 @@ bool section_in_hole(const Tab_section& section, const Loop& hole);
 /// How far the hole reaches beyond the convex hull of the section, at most, in mm.
 double play_in_hole(const Tab_section& section, const Loop& hole);
 
-/// Is this hole of a part one that its panel has as well, rather than a slot?
-bool surrounds_hole_of_panel(const Written_model& model, const Written_panel& panel, const Written_part& part,
-                             const Loop& hole);
+/// Is a hole of a panel part cut for a tab: a rectangle as wide as the sheet is thick? Other holes are the panel's own,
+/// or make way for a neighbour.
+bool is_slot(const Loop& hole, double thickness);
 
 /// The line along an edge in the middle of where the slabs of its two panels overlap: half the thickness below either
 /// outer face. At every point of it, the one, the other or no panel has its material; whoever has it there owns the

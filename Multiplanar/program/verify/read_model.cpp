@@ -204,6 +204,7 @@ void read_settings(const Value& v, Written_model& model)
   if (v.has("panels")) model.most_panels = v["panels"].integer();
   if (model.thickness <= 0) v["thickness"].fail("should be positive");
   if (model.kerf < 0) v["kerf"].fail("should not be negative");
+  if (model.fit < 0) v["fit"].fail("should not be negative");
 }
 
 template <class Things>

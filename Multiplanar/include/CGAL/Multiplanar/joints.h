@@ -57,7 +57,7 @@ inline bool is_at(const Panel_complex& complex, int e, const std::vector<int>& p
 }
 
 /// Cuts teeth where they have room, and leaves out those that do not hold or disturb a connector.
-inline void make_teeth(const Panel_complex& complex, const Joint_options& options, const Truncator& truncator,
+inline void make_teeth(const Panel_complex& complex, const Joint_options& options, Truncator& truncator,
                        const Connector_placer& placer, Tooth_planner& planner, Joints& result)
 {
   const auto candidates = planner.candidates();
@@ -121,7 +121,7 @@ inline Joints make_joints(const Panel_complex& complex, const Joint_options& opt
   if (!options.mode_of_edge.empty() && int(options.mode_of_edge.size()) != complex.number_of_edges())
     throw std::invalid_argument("one joint mode per edge is needed");
   if (options.sizes.empty()) throw std::invalid_argument("at least one size of connectors is needed");
-  const internal::Truncator truncator(complex, options);
+  internal::Truncator truncator(complex, options);
   Joints result;
   result.truncation = truncator.truncation();
   internal::Connector_placer placer(complex, result.truncation, options);

@@ -65,6 +65,13 @@ inline void add_teeth(const Panel_complex& complex, const Joints& joints, int p,
   }
 }
 
+/// A piece of a panel that fell apart, with neither slots nor teeth, hangs on nothing.
+inline void warn_about_loose_piece(const Part& part, std::size_t own_holes, std::vector<std::string>& warnings)
+{
+  if (part.tabs.empty() && part.holes.size() == own_holes)
+    warnings.push_back(part.id + " has neither slots nor teeth: it must be glued");
+}
+
 inline Part connector_part(const Placed_connector& connector, const std::string& id)
 {
   Part part;
@@ -102,6 +109,7 @@ inline Joined_parts parts_from_joints(const Panel_complex& complex, const Joints
         for (int side = 0; side < 2; ++side)
           if (complex.edges[c.edge].panels[side] == p && c.pieces[side] == int(i)) part.holes.push_back(c.slots[side]);
       internal::add_teeth(complex, joints, p, part.outline, frames, rank, thickness, part.tabs);
+      if (pieces.size() > 1) internal::warn_about_loose_piece(part, pieces[i].holes.size(), result.warnings);
       result.parts.push_back(std::move(part));
       result.edge_of_part.push_back(-1);
       result.panel_of_part.push_back(p);

@@ -30,6 +30,8 @@ struct Alternation
 {
   int edge = -1;
   std::vector<Interval> intervals;
+
+  bool operator==(const Alternation& other) const { return edge == other.edge && intervals == other.intervals; }
 };
 
 /// { (x, y) : a x + b y <= c } in the plane of a panel.
@@ -75,13 +77,16 @@ inline Exact_convex clipped(const Exact_convex& polygon, const Exact_half_plane&
   return result;
 }
 
-/// The cells between the planes at the ends of `intervals`, each as the (at most two) half-planes of panel `on` that
-/// bound it: those in the intervals if `inside`, else those before, between and after them.
-inline std::vector<std::vector<Exact_half_plane>> cells_along(const Panel_complex& complex, const Alternation& teeth,
-                                                              const Frame& on, const Frame& other, bool inside)
+/// A convex region of the plane of a panel.
+using Cell = std::vector<Exact_half_plane>;
+
+/// The cells between the planes at the ends of the intervals: those in the intervals if `inside`, else those before,
+/// between and after them.
+inline std::vector<Cell> cells_along(const Panel_complex& complex, const Alternation& teeth, const Frame& on,
+                                     const Frame& other, bool inside)
 {
   const auto until = [&](double position) { return half_plane_across(complex, teeth.edge, position, on, other); };
-  std::vector<std::vector<Exact_half_plane>> cells;
+  std::vector<Cell> cells;
   const auto& intervals = teeth.intervals;
   for (std::size_t i = 0; inside && i < intervals.size(); ++i)
     cells.push_back({until(intervals[i][0]).opposite(), until(intervals[i][1])});
@@ -91,6 +96,29 @@ inline std::vector<std::vector<Exact_half_plane>> cells_along(const Panel_comple
     if (i < intervals.size()) cells.back().push_back(until(intervals[i][0]));
   }
   return cells;
+}
+
+/// The same for several edges of one pair of panels, which lie on one line: the cells inside any, or outside all.
+inline std::vector<Cell> cells_along(const Panel_complex& complex, const std::vector<Alternation>& teeth,
+                                     const Frame& on, const Frame& other, bool inside)
+{
+  std::vector<Cell> result;
+  if (!inside) result.emplace_back(); // everything
+  for (const Alternation& alternation : teeth) {
+    const auto cells = cells_along(complex, alternation, on, other, inside);
+    if (inside) {
+      result.insert(result.end(), cells.begin(), cells.end());
+      continue;
+    }
+    std::vector<Cell> both;
+    for (const Cell& a : result)
+      for (const Cell& b : cells) {
+        both.push_back(a);
+        both.back().insert(both.back().end(), b.begin(), b.end());
+      }
+    result = std::move(both);
+  }
+  return result;
 }
 
 } // namespace internal

@@ -6,141 +6,171 @@
 
 #include <CGAL/Multiplanar/Truncation_options.h>
 #include <CGAL/Multiplanar/internal/Alternation.h>
-#include <CGAL/Multiplanar/internal/Slab.h>
+#include <CGAL/Multiplanar/internal/Slab_cuts.h>
 #include <CGAL/Multiplanar/internal/outline_cleaning.h>
 #include <CGAL/Multiplanar/internal/flat_panel_check.h>
 #include <CGAL/Multiplanar/internal/truncation_order.h>
 #include <CGAL/Multiplanar/internal/truncation_warnings.h>
 
-#include <map>
+#include <memory>
+#include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Multiplanar {
 namespace internal {
 
-/// The construction described at `truncate_panels()`. What does not depend on teeth is computed once, so that the
-/// truncation can be asked for again with teeth.
+/// The construction described at `truncate_panels()`. What does not depend on teeth is computed once, and panels that
+/// teeth do not concern are remembered, so that the truncation can be asked for again with other teeth.
 class Truncator
 {
 public:
   Truncator(const Panel_complex& complex, const Truncation_options& options)
-      : complex(complex), options(options), order(truncation_order(complex)), noise(noise_of(complex))
+      : complex(complex), options(options), order(truncation_order(complex)), panels(whole_panels(complex, options)),
+        cuts_of(complex, panels, options.thickness, options.approach_length()), memory(panels.size())
   {
-    if (!(options.thickness > 0)) throw std::invalid_argument("the thickness must be positive");
-    require_flat_panels(complex);
-    for (int p = 0; p < complex.number_of_panels(); ++p) {
-      const Part part = part_from_panel(complex, p);
-      panels.emplace_back(part.frame, std::vector<Flat_polygon>{{part.outline, part.holes}}, options.thickness);
-    }
     for (int p = 0; p < complex.number_of_panels(); ++p) within.push_back(columns_within_model(p));
   }
-
-  const Slab& whole_panel(int p) const { return panels[p]; }
+  Truncator(const Truncator&) = delete;
+  Truncator& operator=(const Truncator&) = delete;
 
   /// The outlines, with teeth on the edges listed.
-  Truncation truncation(const std::vector<Alternation>& teeth = {}) const
+  Truncation truncation(const std::vector<Alternation>& teeth = {})
   {
     Truncation result;
     result.order = order;
     result.panels.resize(panels.size());
-    std::vector<Slab> done = within; // final for the panels that the loop has passed
-    for (std::size_t i = 0; i < order.size(); ++i) {
+    std::vector<const Slab*> done(panels.size()); // final for the panels that the loop has passed
+    for (std::size_t p = 0; p < panels.size(); ++p) done[p] = &within[p];
+    for (int i = 0; i < int(order.size()); ++i) {
       const int p = order[i];
-      Exact_polygon_set set = done[p].polygon_set();
-      remove_overlaps(int(i), teeth, done, set);
-      for (std::size_t j = 0; j < i; ++j) clear_approach(p, order[j], done[order[j]], set, result);
-      Truncated_panel& panel = result.panels[p];
-      panel.frame = panels[p].frame;
-      panel.pieces = cleaned_pieces(set);
-      done[p] = Slab(panel.frame, panel.pieces, options.thickness);
-      drop_small_pieces(options, panel);
+      const Outcome& outcome = cut(i, teeth, done);
+      done[p] = &outcome.slab;
+      result.panels[p] = {panels[p].frame, outcome.slab.polygons, outcome.dropped_area};
+      for (int q : outcome.overhung_by) result.overhangs.push_back({q, p});
+      for (int q : outcome.blocked_by) result.blocked.push_back({q, p});
     }
     for (int p = 0; p < complex.number_of_panels(); ++p) warn_about_panel(complex, options, p, result);
     return result;
   }
 
 private:
-  Depths<Exact_number> sheet() const { return {Exact_number(0), Exact_number(options.thickness)}; }
-  Depths<Exact_number> reach() const { return {Exact_number(-noise), Exact_number(options.thickness)}; }
-  Depths<Exact_number> approach() const
+  /// What is left of a panel, and the panels that it must come after or cannot come after.
+  struct Outcome
   {
-    return {Exact_number(-options.approach_length()), Exact_number(options.thickness)};
-  }
+    Slab slab;
+    double dropped_area;
+    std::vector<int> overhung_by, blocked_by;
+  };
 
-  /// In doubles a corner lies on all of its planes only about, so cuts that should meet an outline or each other may
-  /// miss by this much, in mm, and leave a web of slivers behind. Every cut is made wider by it.
-  static double noise_of(const Panel_complex& complex)
+  /// One that can cut a panel: another panel, as it is by now, and its teeth.
+  struct Cutter
   {
-    CGAL::Bbox_3 box;
-    for (const auto& corner : complex.corners) box += corner.point.bbox();
-    double extent = 0;
-    for (int i = 0; i < 3; ++i) extent = (std::max)({extent, std::abs((box.min)(i)), std::abs((box.max)(i))});
-    return 1e-9 + 1e-13 * extent + 4 * complex.planarity_deviation();
+    int panel;
+    const Slab* slab;
+    std::vector<Alternation> teeth;
+    bool keeps; ///< it stays where it has no teeth of the panel to be cut
+
+    bool operator==(const Cutter& other) const
+    {
+      return panel == other.panel && slab == other.slab && keeps == other.keeps && teeth == other.teeth;
+    }
+  };
+
+  static std::vector<Slab> whole_panels(const Panel_complex& complex, const Truncation_options& options)
+  {
+    if (!(options.thickness > 0)) throw std::invalid_argument("the thickness must be positive");
+    require_flat_panels(complex);
+    std::vector<Slab> panels;
+    for (int p = 0; p < complex.number_of_panels(); ++p) {
+      const Part part = part_from_panel(complex, p);
+      panels.emplace_back(part.frame, std::vector<Flat_polygon>{{part.outline, part.holes}}, options.thickness);
+    }
+    return panels;
   }
 
   /// Step 1. A column that leaves the model does so through a panel that faces away from the column's own.
   Slab columns_within_model(int p) const
   {
     Exact_polygon_set set = panels[p].polygon_set();
-    std::vector<Exact_loop> cuts;
+    Cuts cuts;
     for (int q = 0; q < int(panels.size()); ++q)
       if (q != p && panels[p].frame.normal * panels[q].frame.normal < 0 && boxes_meet(panels[p], panels[q], 0))
-        for (const Exact_convex& piece : panels[q].pieces)
-          add_cut(slab_projection<Exact_kernel>(piece, {Exact_number(0), Exact_number(0)}, to_slab(q, p), reach()),
-                  cuts);
-    subtract(set, cuts);
+        for (const Exact_convex& piece : panels[q].pieces) cuts_of.add_crossings(piece, q, p, cuts);
+    Slab_cuts::subtract(cuts, set);
     return Slab(panels[p].frame, cleaned_pieces(set), options.thickness);
   }
 
-  /// Step 2 for the panel at position `i` of the order.
-  void remove_overlaps(int i, const std::vector<Alternation>& teeth, const std::vector<Slab>& done,
-                       Exact_polygon_set& set) const
+  /// Step 2 for the panel at position `i` of the order; remembered.
+  const Outcome& cut(int i, const std::vector<Alternation>& teeth, const std::vector<const Slab*>& done)
   {
     const int p = order[i];
-    std::vector<Exact_loop> cuts;
-    for (int j = 0; j < int(order.size()); ++j) {
-      const int q = order[j];
-      if (q == p || !boxes_meet(panels[p], done[q], 0)) continue;
-      const Alternation* alternation = alternation_between(p, q, teeth);
-      if (!alternation) {
-        if (j < i) add_overlaps(done[q], q, p, {{}}, cuts);
-      } else {
-        add_overlaps(done[q], q, p, cells_along(complex, *alternation, panels[q].frame, panels[p].frame, j > i), cuts);
-      }
-    }
-    subtract(set, cuts);
+    const auto cutters = cutters_of(i, teeth, done);
+    for (const auto& known : memory[p])
+      if (known.first == cutters) return *known.second;
+    Exact_polygon_set set = within[p].polygon_set();
+    Cuts cuts;
+    for (const Cutter& cutter : cutters) add_overlaps(cutter, p, cuts);
+    Slab_cuts::subtract(cuts, set);
+    std::vector<int> overhung_by, blocked_by;
+    for (int j = 0; j < i; ++j) clear_approach(p, order[j], *done[order[j]], set, overhung_by, blocked_by);
+    std::vector<Flat_polygon> pieces = cleaned_pieces(set);
+    const double dropped = drop_small_pieces(options, pieces);
+    memory[p].emplace_back(cutters, std::make_unique<Outcome>(Outcome{Slab(panels[p].frame, pieces, options.thickness),
+                                                                      dropped, overhung_by, blocked_by}));
+    return *memory[p].back().second;
   }
 
-  /// Projections onto panel `p` of what the sheet `slab` of panel `q`, within each of `cells`, shares with its sheet.
-  void add_overlaps(const Slab& slab, int q, int p, const std::vector<std::vector<Exact_half_plane>>& cells,
-                    std::vector<Exact_loop>& cuts) const
+  std::vector<Cutter> cutters_of(int i, const std::vector<Alternation>& teeth,
+                                 const std::vector<const Slab*>& done) const
   {
-    for (const Exact_convex& piece : slab.pieces)
+    std::vector<Cutter> result;
+    for (int j = 0; j < int(order.size()); ++j) {
+      const int p = order[i], q = order[j];
+      if (q == p || !boxes_meet(panels[p], *done[q], options.approach_length())) continue;
+      Cutter cutter{q, done[q], teeth_between(p, q, teeth), j < i};
+      if (cutter.keeps || !cutter.teeth.empty()) result.push_back(std::move(cutter));
+    }
+    return result;
+  }
+
+  std::vector<Alternation> teeth_between(int p, int q, const std::vector<Alternation>& teeth) const
+  {
+    std::vector<Alternation> result;
+    for (const Alternation& a : teeth) {
+      const auto& sides = complex.edges[a.edge].panels;
+      if ((sides[0] == p && sides[1] == q) || (sides[0] == q && sides[1] == p)) result.push_back(a);
+    }
+    return result;
+  }
+
+  void add_overlaps(const Cutter& cutter, int p, Cuts& cuts) const
+  {
+    const auto cells = cells_along(complex, cutter.teeth, panels[cutter.panel].frame, panels[p].frame, !cutter.keeps);
+    for (const Exact_convex& piece : cutter.slab->pieces)
       for (const auto& cell : cells) {
         Exact_convex part = piece;
         for (const Exact_half_plane& h : cell) part = clipped(part, h);
-        if (!part.empty()) add_cut(slab_projection<Exact_kernel>(part, sheet(), to_slab(q, p), reach()), cuts);
+        if (!part.empty()) cuts_of.add_overlap(part, cutter.panel, p, cuts);
       }
   }
 
-  /// Cuts panel `p` free of panel `q`, placed before it, over the way it comes; unless that costs more than a quarter
-  /// of it.
-  void clear_approach(int p, int q, const Slab& slab, Exact_polygon_set& set, Truncation& result) const
+  /// Cuts panel `p` free of panel `q`, placed before it, over the last part of the way it comes; unless that costs more
+  /// than a quarter of it.
+  void clear_approach(int p, int q, const Slab& slab, Exact_polygon_set& set, std::vector<int>& overhung_by,
+                      std::vector<int>& blocked_by) const
   {
     if (!boxes_meet(panels[p], slab, options.approach_length())) return;
-    std::vector<Exact_loop> cuts;
-    for (const Exact_convex& piece : slab.pieces)
-      add_cut(slab_projection<Exact_kernel>(piece, sheet(), to_slab(q, p), approach()), cuts);
+    Cuts cuts;
+    for (const Exact_convex& piece : slab.pieces) cuts_of.add_overhang(piece, q, p, cuts);
+    if (cuts.empty()) return;
     Exact_polygon_set freed = set;
-    subtract(freed, cuts);
+    Slab_cuts::subtract(cuts, freed);
     const double before = area_of(set), after = area_of(freed);
     if (after > before - 1e-6 * (1 + before)) return;
-    if (after < 0.75 * before) {
-      result.blocked.push_back({q, p});
-      return;
-    }
-    result.overhangs.push_back({q, p});
+    if (after < 0.75 * before) return blocked_by.push_back(q);
+    overhung_by.push_back(q);
     set = freed;
   }
 
@@ -151,51 +181,13 @@ private:
     return sum;
   }
 
-  void add_cut(const Exact_convex& polygon, std::vector<Exact_loop>& cuts) const
-  {
-    if (polygon.empty()) return;
-    std::vector<Exact_point_2> wider;
-    for (const Exact_point_2& p : polygon)
-      for (int i = 0; i < 4; ++i)
-        wider.push_back(p + Exact_kernel::Vector_2(i % 2 ? noise : -noise, i / 2 ? noise : -noise));
-    cuts.emplace_back();
-    CGAL::convex_hull_2(wider.begin(), wider.end(), std::back_inserter(cuts.back()));
-  }
-
-  static void subtract(Exact_polygon_set& set, const std::vector<Exact_loop>& cuts)
-  {
-    Exact_polygon_set all;
-    all.join(cuts.begin(), cuts.end());
-    set.difference(all);
-  }
-
-  const Alternation* alternation_between(int p, int q, const std::vector<Alternation>& teeth) const
-  {
-    for (const Alternation& a : teeth) {
-      const auto& sides = complex.edges[a.edge].panels;
-      if ((sides[0] == p && sides[1] == q) || (sides[0] == q && sides[1] == p)) return &a;
-    }
-    return nullptr;
-  }
-
-  const Affine_map<Exact_number>& to_slab(int from, int to) const
-  {
-    const auto found = maps.find({from, to});
-    if (found != maps.end()) return found->second;
-    auto map = slab_to_slab<Exact_number>(panels[from].frame, panels[to].frame);
-    for (auto& row : map.matrix) // evaluated once, so that no expression trees grow from here
-      for (auto& x : row) CGAL::exact(x);
-    for (auto& x : map.shift) CGAL::exact(x);
-    return maps.emplace(std::make_pair(from, to), map).first->second;
-  }
-
   const Panel_complex& complex;
   Truncation_options options;
   std::vector<int> order;
-  double noise;
   std::vector<Slab> panels; ///< the panels themselves
+  Slab_cuts cuts_of;
   std::vector<Slab> within; ///< their columns inside the model (step 1)
-  mutable std::map<std::pair<int, int>, Affine_map<Exact_number>> maps;
+  std::vector<std::vector<std::pair<std::vector<Cutter>, std::unique_ptr<Outcome>>>> memory; ///< by panel
 };
 
 } // namespace internal

@@ -37,18 +37,19 @@ inline double strip_width(const Flat_polygon& polygon)
 
 /// Sorts the pieces by area, largest first, and drops those too small to be cut. Crumbs are ordinary waste: wherever
 /// three panels meet at obtuse angles, the one that gives way is left with one between the other two.
-inline void drop_small_pieces(const Truncation_options& options, Truncated_panel& panel)
+/// \return the area dropped
+inline double drop_small_pieces(const Truncation_options& options, std::vector<Flat_polygon>& pieces)
 {
-  auto& pieces = panel.pieces;
-  const auto too_small = [&](const Flat_polygon& piece) {
-    return piece.area() < options.smallest_area() || strip_width(piece) < options.thinnest;
+  const auto large_enough = [&](const Flat_polygon& piece) {
+    return piece.area() >= options.smallest_area() && strip_width(piece) >= options.thinnest;
   };
-  const auto kept =
-      std::stable_partition(pieces.begin(), pieces.end(), [&](const Flat_polygon& p) { return !too_small(p); });
-  for (auto piece = kept; piece != pieces.end(); ++piece) panel.dropped_area += piece->area();
+  const auto kept = std::stable_partition(pieces.begin(), pieces.end(), large_enough);
+  double dropped = 0;
+  for (auto piece = kept; piece != pieces.end(); ++piece) dropped += piece->area();
   pieces.erase(kept, pieces.end());
   std::stable_sort(pieces.begin(), pieces.end(),
                    [](const Flat_polygon& a, const Flat_polygon& b) { return a.area() > b.area(); });
+  return dropped;
 }
 
 inline std::string in_mm(double value)
