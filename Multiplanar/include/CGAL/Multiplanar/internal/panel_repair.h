@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <set>
 #include <utility>
 #include <vector>
@@ -66,10 +67,21 @@ private:
     panels.commit();
   }
 
+  /// A panel without problems of topology that has not changed since gets one only when the panel around it changes,
+  /// which then has the same problem.
+  bool is_known_good(int p) const { return p < int(good_at.size()) && good_at[p] == panels.changes(p); }
+
+  void remember_as_good(int p)
+  {
+    if (int(good_at.size()) <= p) good_at.resize(p + 1, -1);
+    good_at[p] = panels.changes(p);
+  }
+
   /// Splits a panel that is not a planar domain. Parts halve, so this ends: single faces are planar.
   bool split_a_handle()
   {
     for (int p : used_labels(panels)) {
+      if (is_known_good(p)) continue;
       const Panel_topology topology = panel_topology(panels, p);
       if ((topology.handles == 0 && topology.loops > 0) || panels.faces(p).size() < 2) continue;
       const std::size_t mark = panels.mark();
@@ -86,7 +98,9 @@ private:
   bool open_a_closed_boundary()
   {
     for (int p : used_labels(panels)) {
+      if (is_known_good(p)) continue;
       const Panel_topology topology = panel_topology(panels, p);
+      if (topology.problems() == 0) remember_as_good(p);
       if (topology.closed.empty()) continue;
       const Closed_boundary& boundary = topology.closed[0];
       const int q = panels.label(across(boundary[0]));
@@ -167,12 +181,16 @@ private:
   {
     const std::size_t mark = panels.mark();
     const double cost_before = fits.total(), price = price_of_a_panel();
-    const int panels_before = panels.number_of_panels();
+    const int panels_before = panels.number_of_panels(), relabelled = work.relabelled;
     apply(r);
     settle(work, mark);
-    Outcome result{panels.number_of_local_problems(), topology_problems(panels, used_labels(panels)),
+    std::vector<int> changed = changed_panels(panels, mark); // no other had a problem, or could have got one alone
+    if (std::find(changed.begin(), changed.end(), r.p) == changed.end() && !panels.faces(r.p).empty())
+      changed.push_back(r.p);
+    Outcome result{panels.number_of_local_problems(), topology_problems(panels, changed),
                    fits.total() - cost_before + price * (panels.number_of_panels() - panels_before)};
     panels.roll_back(mark);
+    work.relabelled = relabelled;
     return result;
   }
 
@@ -296,6 +314,7 @@ private:
   Panel_work& work;
   Panel_labelling& panels;
   Panel_fits& fits;
+  std::vector<std::int64_t> good_at; // changes(p) when panel p was last seen without problems of topology
   int most_panels = 0;
   int absorptions =
       0; // panels that may still be merged into the one around them: after that, splits have the last word

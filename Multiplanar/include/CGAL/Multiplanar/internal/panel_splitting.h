@@ -151,7 +151,7 @@ int split_soundly(Panel_work& work, int p, Accept accept)
 {
   if (work.panels.faces(p).size() < 2) return -1;
   const std::size_t mark = work.panels.mark();
-  const int panels = work.panels.number_of_panels();
+  const int panels = work.panels.number_of_panels(), relabelled = work.relabelled;
   const double cost = work.fits.cost(p);
   if (!(cost > 0)) return -1;
   for (int attempt = 0; attempt < 3; ++attempt) {
@@ -165,6 +165,7 @@ int split_soundly(Panel_work& work, int p, Accept accept)
         is_worth_splitting(work, p, q, cost))
       return q;
     work.panels.roll_back(mark);
+    work.relabelled = relabelled;
   }
   return -1;
 }
@@ -174,6 +175,7 @@ int split_soundly(Panel_work& work, int p, Accept accept)
 template <class Accept>
 int split_up_to(Panel_work& work, int target, Accept accept)
 {
+  if (work.panels.number_of_panels() >= target) return 0;
   int splits = 0;
   std::priority_queue<std::pair<double, int>> queue;
   for (int p = 0; p < work.panels.number_of_labels(); ++p)

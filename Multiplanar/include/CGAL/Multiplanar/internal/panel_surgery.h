@@ -37,7 +37,7 @@ struct Panel_work
   Panel_fits fits;
   Panel_mender mender;
   bool realisable;
-  int relabelled = 0; ///< faces that changed hands in local repairs
+  int relabelled = 0; ///< faces that changed hands in local repairs that stand
 };
 
 /// The topological problems of some panels.
@@ -125,6 +125,7 @@ inline bool merge_soundly(Panel_work& work, int p, int q, int depth, std::size_t
 {
   if (!are_neighbours(work.panels, p, q)) return false;
   const std::size_t here = work.panels.mark();
+  const int relabelled = work.relabelled;
   join_panels(work.panels, p, q);
   settle(work, here);
   if (is_sound(work, changed_panels(work.panels, mark))) return true;
@@ -132,6 +133,7 @@ inline bool merge_soundly(Panel_work& work, int p, int q, int depth, std::size_t
     for (const auto& pair : culprits(work, mark))
       if (merge_soundly(work, pair.first, pair.second, depth - 1, mark)) return true;
   work.panels.roll_back(here);
+  work.relabelled = relabelled;
   return false;
 }
 

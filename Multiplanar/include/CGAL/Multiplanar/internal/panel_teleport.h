@@ -39,7 +39,7 @@ bool teleport(Panel_work& work, const Merge_queue::Pair& pair, Accept accept)
 {
   const std::size_t mark = work.panels.mark();
   const double cost = work.fits.total();
-  const int panels = work.panels.number_of_panels();
+  const int panels = work.panels.number_of_panels(), relabelled = work.relabelled;
   if (!merge_soundly(work, pair.p, pair.q) || work.panels.number_of_panels() != panels - 1) {
     work.panels.roll_back(mark);
     return false;
@@ -51,6 +51,7 @@ bool teleport(Panel_work& work, const Merge_queue::Pair& pair, Accept accept)
     work.panels.roll_back(merged);
   }
   work.panels.roll_back(mark);
+  work.relabelled = relabelled;
   return false;
 }
 
