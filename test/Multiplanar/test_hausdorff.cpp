@@ -132,6 +132,22 @@ TEST(Hausdorff, OfASurfaceFromItselfIsZero)
   EXPECT_LE(d.upper(), 1e-6);
 }
 
+TEST(Hausdorff, CoincidingSurfacesWithDifferentTrianglesAreOverlaid)
+{
+  // Without cuts along sides this would need pieces as small as the error along every side.
+  const Mesh coarse = octahedron(), fine = subdivided(octahedron(), 7);
+  const auto d = distance(coarse, fine, 1e-8);
+  EXPECT_LE(d.upper(), 1e-8);
+  const Mesh other = subdivided(octahedron(), 5);
+  EXPECT_LE(distance(other, fine, 1e-8).upper(), 1e-8);
+  // And one corner pulled out is found.
+  Mesh pulled = fine;
+  pulled.points[40] = pulled.points[40] + 1e-3 * (pulled.points[40] - CGAL::ORIGIN);
+  const auto e = distance(pulled, coarse, 1e-8);
+  EXPECT_NEAR(e.to_second.lower, distance_by_hand(pulled.points[40], coarse), 1e-8);
+  EXPECT_GT(e.to_second.lower, 1e-4);
+}
+
 TEST(Hausdorff, KnownValues)
 {
   // A cube shifted along an axis: the corners that move out are 0.25 away, and so is the side that moves in.

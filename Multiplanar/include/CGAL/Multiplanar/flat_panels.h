@@ -23,6 +23,7 @@ struct Flat_panels_options
 {
   int max_panels = 50;            ///< k
   Effort effort = Effort::normal; ///< how long to look for better partitions
+  double work = 1;                ///< multiplies the number of changes tried in the search
   double time_limit = 0;          ///< seconds after which the search stops, 0: none. If it strikes, results vary
   int threads = 0;                ///< 0: all that the machine has; the result does not depend on it
   std::uint64_t seed = 0;
@@ -105,6 +106,7 @@ inline Flat_panels_result flat_panels(const internal::Connectivity& c, const Poi
   internal::Panel_search_options search_options;
   search_options.max_panels = options.max_panels;
   search_options.effort = options.effort;
+  search_options.work = options.work;
   search_options.time_limit = options.time_limit;
   search_options.threads = options.threads;
   search_options.seed = options.seed;

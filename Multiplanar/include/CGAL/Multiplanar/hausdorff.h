@@ -54,8 +54,9 @@ inline std::vector<Vec3> as_vecs(const Points& points)
 /// For a triangle T and any triangle b of B, x -> d(x, b) is convex, so on T it is largest at a corner of T:
 ///   max_T d(x, B) <= max_i d(T_i, b).
 /// And d(x, B) is 1-Lipschitz: max_T d(x, B) <= d(m, B) + max_i |T_i - m|, m the centroid. The smaller of both bounds
-/// T; the triangle with the largest bound is halved across its longest edge until no bound exceeds what is attained by
-/// more than the error allowed.
+/// T; the triangle with the largest bound is divided until no bound exceeds what is attained by more than the error
+/// allowed: across its longest edge, or, where T lies close to B across a side of b, along that side, so that
+/// coinciding surfaces with different triangles are overlaid exactly.
 class Directed_hausdorff_search
 {
 public:
@@ -68,7 +69,7 @@ public:
       for (int v : t)
         if (near[v] < 0) near[v] = probe(points[v], near[t[0]]).triangle;
     for (const auto& t : triangles) {
-      Piece piece{{points[t[0]], points[t[1]], points[t[2]]}, near[t[0]], (std::numeric_limits<double>::max)()};
+      Piece piece{{points[t[0]], points[t[1]], points[t[2]]}, near[t[0]], (std::numeric_limits<double>::max)(), 0};
       for (int v : t) piece.bound = (std::min)(piece.bound, convex_bound(piece, near[v]));
       if (piece.bound > lower + error) bound_and_push(piece, error);
       else drop(piece);
@@ -76,7 +77,7 @@ public:
     while (!queue.empty()) {
       const Piece piece = queue.top();
       queue.pop();
-      if (piece.bound > lower + error) halve(piece, error);
+      if (piece.bound > lower + error) divide(piece, error);
       else drop(piece);
     }
     Directed_hausdorff result;
@@ -93,6 +94,7 @@ private:
     std::array<Vec3, 3> p;
     int near;
     double bound;
+    int cuts; ///< along sides since it was last halved
     bool operator<(const Piece& other) const { return bound < other.bound; }
   };
 
@@ -129,8 +131,9 @@ private:
   /// Looks at a piece no further: its bound is within the error of what is attained, and `lower` only grows.
   void drop(const Piece& piece) { largest_dropped = (std::max)(largest_dropped, piece.bound); }
 
-  void halve(const Piece& piece, double error)
+  void divide(const Piece& piece, double error)
   {
+    if (piece.cuts < 12 && cut_along_side(piece, error)) return;
     int longest = 0;
     double length = -1;
     for (int i = 0; i < 3; ++i) {
@@ -142,8 +145,57 @@ private:
     Piece left = piece, right = piece;
     left.p[(longest + 1) % 3] = m;
     right.p[longest] = m;
+    left.cuts = right.cuts = 0;
     bound_and_push(left, error);
     bound_and_push(right, error);
+  }
+
+  /// Cuts a piece that is much closer to b than large, and not much larger than b, by the plane through a side of b,
+  /// upright on b, that it crosses most. \return false if there is none
+  bool cut_along_side(const Piece& piece, double error)
+  {
+    const Vec3 &a = tree.corner(piece.near, 0), &b = tree.corner(piece.near, 1), &c = tree.corner(piece.near, 2);
+    const Vec3 normal = (b - a).cross(c - a).normalized();
+    double height = 0, size = 0;
+    for (int i = 0; i < 3; ++i) {
+      height = (std::max)(height, std::abs(normal.dot(piece.p[i] - a)));
+      size = (std::max)(size, (piece.p[(i + 1) % 3] - piece.p[i]).norm());
+    }
+    const double side_of_b =
+        std::sqrt((std::max)({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+    if (!(height < 0.1 * size) || size > 3 * side_of_b) return false;
+    double deepest = 1e-9 * size;
+    std::array<double, 3> side{};
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 &from = tree.corner(piece.near, i), &to = tree.corner(piece.near, (i + 1) % 3);
+      const Vec3 inward = normal.cross(to - from).normalized();
+      std::array<double, 3> d{};
+      for (int j = 0; j < 3; ++j) d[j] = inward.dot(piece.p[j] - from);
+      const double crossing = (std::min)(*std::max_element(d.begin(), d.end()), -*std::min_element(d.begin(), d.end()));
+      if (crossing > deepest) deepest = crossing, side = d;
+    }
+    if (deepest <= 1e-9 * size) return false;
+    for (int sign : {1, -1}) push_part(piece, side, sign, error);
+    return true;
+  }
+
+  /// The part of a piece where sign * side >= 0, as one or two triangles.
+  void push_part(const Piece& piece, const std::array<double, 3>& side, int sign, double error)
+  {
+    Vec3 polygon[4];
+    int n = 0;
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3;
+      const double s = sign * side[i], t = sign * side[j];
+      if (s >= 0) polygon[n++] = piece.p[i];
+      if ((s > 0 && t < 0) || (s < 0 && t > 0)) polygon[n++] = piece.p[i] + (piece.p[j] - piece.p[i]) * (s / (s - t));
+    }
+    for (int i = 2; i < n; ++i) {
+      Piece part = piece;
+      part.p = {polygon[0], polygon[i - 1], polygon[i]};
+      part.cuts = piece.cuts + 1;
+      bound_and_push(part, error);
+    }
   }
 
   const Triangle_tree& tree;

@@ -68,14 +68,14 @@ inline void sample_input(Input_surface& in, int wanted)
         else all.push_back({a + u * (double(i) / n) + v * (double(j) / n), share, f});
       }
   }
-  if (int(all.size()) <= 2 * wanted) {
+  if (int(all.size()) <= 6 * wanted) {
     in.samples = std::move(all);
     return;
   }
-  // A fine mesh: one sample a cell of a grid, the first in vertex order, with the area of its cell.
+  // A fine mesh: one sample a cell of a finer grid, the first in vertex order, with the area of its cell.
   std::map<std::array<int, 3>, int> cells;
   for (const auto& s : all) {
-    const Vec3 q = s.point / spacing;
+    const Vec3 q = s.point / (0.6 * spacing);
     const std::array<int, 3> cell{int(std::floor(q[0])), int(std::floor(q[1])), int(std::floor(q[2]))};
     const auto found = cells.insert({cell, int(in.samples.size())});
     if (found.second) in.samples.push_back(s);

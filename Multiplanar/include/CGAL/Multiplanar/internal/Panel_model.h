@@ -95,7 +95,8 @@ public:
     steps.run(m.state, *surface);
     m.surface = surface;
     m.faults += steps.number_of_faults() - steps.faults_before();
-    measure(m, free, &steps);
+    take_records(m, steps);
+    sum_up(m);
   }
 
   void improve_all(Panel_model& m, const Accuracy_options& options) const
@@ -104,21 +105,13 @@ public:
   }
 
   /// Measures the distances that depend on panels around the corners of `free`.
-  void measure(Panel_model& m, const std::vector<char>& free, Accuracy_steps* steps = nullptr) const
+  void measure(Panel_model& m, const std::vector<char>& free) const
   {
-    const Plane_corner_system system(*m.topology, free);
     const std::vector<char> changed = changed_panels(m, free);
-    if (steps) {
-      const auto& active = steps->distances().active();
-      for (std::size_t i = 0; i < active.size(); ++i) {
-        m.r[active[i]] = steps->last().to_panels[i].r;
-        m.near_panel[active[i]] = steps->last().to_panels[i].panel;
-      }
-    }
     for (std::size_t i = 0; i < in.samples.size(); ++i)
-      if (m.near_panel[i] < 0 || (!steps && changed[m.near_panel[i]])) {
+      if (m.near_panel[i] < 0 || changed[m.near_panel[i]]) {
         const auto q = m.surface->tree().closest(in.samples[i].point);
-        m.r[i] = in.importance_of(in.samples[i].face) * std::sqrt(q.squared_distance),
+        m.r[i] = in.importance_of(in.samples[i].face) * std::sqrt(q.squared_distance);
         m.near_panel[i] = m.surface->panel_of(q.triangle);
       }
     renew_records(m, changed);
@@ -154,6 +147,7 @@ public:
     return false;
   }
 
+  double sample_spacing() const { return spacing; }
   const Input_surface& input() const { return in; }
   const Connectivity& connectivity() const { return c; }
   const std::vector<Moments>& moments_of_faces() const { return face_moments; }
@@ -321,38 +315,42 @@ private:
     }
   }
 
-  /// Samples the panels in `changed` anew.
-  void renew_records(Panel_model& m, const std::vector<char>& changed) const
+  static void drop_records(Panel_model& m, const std::vector<char>& changed)
   {
     const auto lost = [&](const Sample_record& q) {
       return changed[q.owner[0]] || changed[q.owner[1]] || changed[q.owner[2]];
     };
     m.records.erase(std::remove_if(m.records.begin(), m.records.end(), lost), m.records.end());
-    const Complex_topology& t = *m.topology;
-    const Panel_sampler sampler(t, spacing);
+  }
+
+  /// Takes over what accuracy steps measured last.
+  void take_records(Panel_model& m, const Accuracy_steps& steps) const
+  {
+    drop_records(m, steps.distances().changed());
+    const auto& samples = steps.distances().samples();
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      m.records.push_back({steps.last().to_input[i].r, samples[i].area / in.area, samples[i].near, samples[i].owner});
+    const auto& active = steps.distances().active();
+    for (std::size_t i = 0; i < active.size(); ++i) {
+      m.r[active[i]] = steps.last().to_panels[i].r;
+      m.near_panel[active[i]] = steps.last().to_panels[i].panel;
+    }
+  }
+
+  /// Samples the panels in `changed` anew.
+  void renew_records(Panel_model& m, const std::vector<char>& changed) const
+  {
+    drop_records(m, changed);
     std::vector<Panel_sample> samples;
-    std::vector<std::array<int, 3>> owners;
-    for (int p = 0; p < m.panels(); ++p)
-      if (changed[p])
-        sampler.sample_inside(m.state, *m.surface, p, samples), owners.resize(samples.size(), {{p, p, p}});
-    for (int e = 0; e < int(t.edges.size()); ++e) {
-      const int p = t.edges[e].panels[0], q = t.edges[e].panels[1];
-      if (changed[p] || changed[q])
-        sampler.sample_edge(m.state, e, samples), owners.resize(samples.size(), {{p, p, q}});
-    }
-    for (int i = 0; i < t.number_of_corners(); ++i) {
-      const auto& around = t.corner_panels[i];
-      if (changed[around[0]] || changed[around[1]] || changed[around[2]])
-        sampler.sample_corner(i, samples), owners.push_back({{around[0], around[1], around[2]}});
-    }
+    Panel_sampler(*m.topology, spacing).sample(m.state, *m.surface, changed, samples);
     int hint = -1;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
+    for (const Panel_sample& sample : samples) {
       Vec3 x = Vec3::Zero();
-      for (int j = 0; j < 3; ++j) x += samples[i].weights.w[j] * m.state.corner[samples[i].corner[j]];
+      for (int j = 0; j < 3; ++j) x += sample.weights.w[j] * m.state.corner[sample.corner[j]];
       const auto q = in.tree.closest(x, hint);
       hint = q.triangle;
-      m.records.push_back({in.importance_of(q.triangle) * std::sqrt(q.squared_distance), samples[i].area / in.area,
-                           q.triangle, owners[i]});
+      m.records.push_back({in.importance_of(q.triangle) * std::sqrt(q.squared_distance), sample.area / in.area,
+                           q.triangle, sample.owner});
     }
   }
 

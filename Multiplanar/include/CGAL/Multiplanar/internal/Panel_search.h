@@ -31,6 +31,7 @@ struct Panel_search_options
   double time_limit = 0;
   int threads = 0;
   std::uint64_t seed = 0;
+  double work = 1; ///< multiplies the number of edits tried
   double min_edge = 0.002, min_width = 0.002;
 };
 
@@ -39,7 +40,7 @@ struct Search_budget
 {
   int partitions; ///< to start from, together with those given
   int chains;     ///< kept after the start, each searched on its own
-  int rounds;     ///< after each, the worse half of the chains goes on from the best
+  int rounds;     ///< after each, the worst chains end; fewer if five in a row gain nothing
   int trials;     ///< edits tried by a chain in a round
 };
 
@@ -112,8 +113,9 @@ private:
   Accuracy_options local_accuracy() const
   {
     Accuracy_options a = accuracy();
-    a.powers = {8, 32};
-    a.steps = 6;
+    a.powers = {16, 32};
+    a.steps = 5;
+    a.refresh = 1 << 20;
     return a;
   }
 
@@ -157,15 +159,30 @@ private:
     return true;
   }
 
+  /// The number of panels if the labels are 0 .. n - 1 and can be made flat as they are, or 0.
+  int number_of_realisable_panels(const std::vector<int>& labels) const
+  {
+    const auto range = std::minmax_element(labels.begin(), labels.end());
+    Complex_topology t;
+    std::vector<int> vertices;
+    if (*range.first < 0 || *range.second >= c.number_of_faces()) return 0;
+    const int n = *range.second + 1;
+    return Topology_tracer(c, labels, n).trace(t, vertices) ? n : 0;
+  }
+
   /// A repaired model of a partition with accuracy steps. \return false if it cannot be made realisable
   bool start_model(const Label_costs& costs, std::vector<int> labels, Panel_model& m) const
   {
-    Panel_partition_options partition;
-    partition.max_panels = options.max_panels;
-    const auto report = make_panels(c, frame_points, costs, labels, partition);
-    if (!report.ok) return false;
+    int panels = number_of_realisable_panels(labels);
+    if (panels == 0 || panels > options.max_panels) {
+      Panel_partition_options partition;
+      partition.max_panels = options.max_panels;
+      const auto report = make_panels(c, frame_points, costs, labels, partition);
+      if (!report.ok) return false;
+      panels = report.panels;
+    }
     std::vector<char> touched;
-    if (!modeller.rebuild(nullptr, no_edit(labels, report.panels), m, touched)) return false;
+    if (!modeller.rebuild(nullptr, no_edit(labels, panels), m, touched)) return false;
     Teleport_search t(modeller, options.max_panels, 1);
     t.local_options = accuracy();
     for (int round = 0; round < 2; ++round) {
@@ -180,20 +197,29 @@ private:
   /// Chains of improvements and kicks; in the end the best is first.
   void search(std::vector<Panel_model>& models)
   {
-    if (budget.chains == 0) return;
+    if (budget.chains == 0) {
+      modeller.improve_all(models[0], final_accuracy());
+      return;
+    }
     while (int(models.size()) > budget.chains) models.pop_back();
     const std::size_t chains = models.size();
     std::vector<Panel_model> best = models;
-    for (int round = 0; round < budget.rounds && !stopped(round); ++round) {
+    double last = best[0].merit;
+    int idle = 0; // rounds without a gain
+    for (int round = 0; idle < 5 && round < budget.rounds && !stopped(round); ++round) {
       for_each_parallel(int(models.size()), threads, [&](int i) { run_chain(round, i, models[i], best[i]); });
       sort_models(best);
       // The better half goes on; with every round there are fewer chains, down to two.
       if (best.size() > 2)
         best.resize((std::max)(std::size_t(2), best.size() - (std::max)(std::size_t(1), chains / 4)));
       models = best;
+      idle = best[0].merit < 0.999 * last ? 0 : idle + 1;
+      last = best[0].merit;
     }
     models = std::move(best);
-    modeller.improve_all(models[0], final_accuracy());
+    // The last steps see samples four times as dense.
+    const Panel_modeller fine(in, modeller.sample_spacing() / 2, options.min_edge, options.min_width);
+    fine.improve_all(models[0], final_accuracy());
   }
 
   Accuracy_options final_accuracy() const
@@ -210,7 +236,7 @@ private:
     Teleport_search t(modeller, options.max_panels, 1);
     t.local_options = local_accuracy();
     std::mt19937_64 random(options.seed * 1000003 + std::uint64_t(round) * 101 + std::uint64_t(chain));
-    while (t.trials < budget.trials && !out_of_time()) {
+    while (t.trials < budget.trials * options.work && !out_of_time()) {
       if (t.improve_once(m)) continue;
       if (ranks_before(m, best)) best = m;
       m = best;

@@ -96,8 +96,9 @@ public:
     for (int t = 0; t < n; ++t)
       items_[t] = {{points[triangles[t][0]], points[triangles[t][1]], points[triangles[t][2]]}, t};
     nodes_.clear();
-    nodes_.reserve(2 * std::size_t(n) / leaf_size + 8);
-    if (n > 0) build_node(0, n);
+    leaves_.clear();
+    Vec3 low, high;
+    if (n > 0) root_ = build_node(0, n, low, high);
     place_.resize(n);
     for (int i = 0; i < n; ++i) place_[items_[i].id] = i;
   }
@@ -112,24 +113,24 @@ public:
   Closest closest(const Vec3& q, int hint = -1) const
   {
     Closest best;
-    if (nodes_.empty()) return best;
+    if (items_.empty()) return best;
     if (hint >= 0) try_item(place_[hint], q, best);
     int stack[64], top = 0;
     double key[64];
-    stack[top] = 0, key[top++] = squared_distance_to_box(nodes_[0], q);
+    stack[top] = root_, key[top++] = 0;
     while (top > 0) {
       const int i = stack[--top];
       if (key[top] >= best.squared_distance) continue;
-      const Node& node = nodes_[i];
-      if (node.count > 0) {
-        for (int j = node.first; j < node.first + node.count; ++j) try_item(j, q, best);
+      if (i < 0) {
+        const Leaf& leaf = leaves_[-1 - i];
+        for (int j = leaf.first; j < leaf.first + leaf.count; ++j) try_item(j, q, best);
         continue;
       }
-      int near = i + 1, far = node.first;
-      double d_near = squared_distance_to_box(nodes_[near], q), d_far = squared_distance_to_box(nodes_[far], q);
-      if (d_far < d_near) std::swap(near, far), std::swap(d_near, d_far);
-      if (d_far < best.squared_distance) stack[top] = far, key[top++] = d_far;
-      if (d_near < best.squared_distance) stack[top] = near, key[top++] = d_near;
+      const Node& node = nodes_[i];
+      const Eigen::Array2d d = node.squared_distances(q);
+      const int near = d[1] < d[0] ? 1 : 0, far = 1 - near;
+      if (d[far] < best.squared_distance) stack[top] = node.child[far], key[top++] = d[far];
+      if (d[near] < best.squared_distance) stack[top] = node.child[near], key[top++] = d[near];
     }
     return best;
   }
@@ -138,19 +139,18 @@ public:
   template <class F>
   void for_each_overlap(const Vec3& low, const Vec3& high, F f) const
   {
-    if (nodes_.empty()) return;
+    if (items_.empty()) return;
     int stack[64], top = 0;
-    stack[top++] = 0;
+    stack[top++] = root_;
     while (top > 0) {
       const int i = stack[--top];
-      const Node& node = nodes_[i];
-      if ((node.low.array() > high.array()).any() || (node.high.array() < low.array()).any()) continue;
-      if (node.count == 0) {
-        stack[top++] = node.first;
-        stack[top++] = i + 1;
+      if (i >= 0) {
+        for (int side = 1; side >= 0; --side)
+          if (nodes_[i].meets(side, low, high)) stack[top++] = nodes_[i].child[side];
         continue;
       }
-      for (int j = node.first; j < node.first + node.count; ++j) {
+      const Leaf& leaf = leaves_[-1 - i];
+      for (int j = leaf.first; j < leaf.first + leaf.count; ++j) {
         const auto& p = items_[j].p;
         if ((p[0].cwiseMin(p[1]).cwiseMin(p[2]).array() <= high.array()).all() &&
             (p[0].cwiseMax(p[1]).cwiseMax(p[2]).array() >= low.array()).all())
@@ -160,60 +160,80 @@ public:
   }
 
 private:
-  static constexpr int leaf_size = 4;
+  static constexpr int leaf_size = 3;
 
   struct Item
   {
     std::array<Vec3, 3> p;
     int id;
+
+    Vec3 sum() const { return p[0] + p[1] + p[2]; }
   };
-  // The left child of an inner node follows it; `first` is the right child. In a leaf, `first` is an item.
+  // An inner node knows the boxes of both its children, axis by axis, so that one pass measures both.
   struct Node
   {
-    Vec3 low, high;
-    int first = 0, count = 0;
+    Eigen::Array2d low[3], high[3];
+    int child[2]; // a node, or -1 - a leaf
+
+    Eigen::Array2d squared_distances(const Vec3& q) const
+    {
+      Eigen::Array2d sum = Eigen::Array2d::Zero();
+      for (int i = 0; i < 3; ++i) {
+        const Eigen::Array2d d = (low[i] - q[i]).max(q[i] - high[i]).max(0.0);
+        sum += d * d;
+      }
+      return sum;
+    }
+    bool meets(int side, const Vec3& a, const Vec3& b) const
+    {
+      for (int i = 0; i < 3; ++i)
+        if (low[i][side] > b[i] || high[i][side] < a[i]) return false;
+      return true;
+    }
+    void set(int side, const Vec3& a, const Vec3& b)
+    {
+      for (int i = 0; i < 3; ++i) low[i][side] = a[i], high[i][side] = b[i];
+    }
   };
 
-  int build_node(int begin, int end)
+  struct Leaf
   {
+    int first, count;
+  };
+
+  /// Builds the tree of items begin .. end - 1 and their box; returns its name, as in `Node::child`.
+  int build_node(int begin, int end, Vec3& low, Vec3& high)
+  {
+    if (end - begin <= leaf_size) {
+      low.setConstant((std::numeric_limits<double>::max)());
+      high = -low;
+      for (int i = begin; i < end; ++i)
+        for (const Vec3& p : items_[i].p) low = low.cwiseMin(p), high = high.cwiseMax(p);
+      leaves_.push_back({begin, end - begin});
+      return -int(leaves_.size());
+    }
+    Vec3 least = items_[begin].sum(), most = least;
+    for (int i = begin; i < end; ++i) {
+      const Vec3 m = items_[i].sum();
+      least = least.cwiseMin(m), most = most.cwiseMax(m);
+    }
+    int axis = 0;
+    (most - least).maxCoeff(&axis);
+    const int middle = (begin + end) / 2;
+    std::nth_element(items_.begin() + begin, items_.begin() + middle, items_.begin() + end,
+                     [axis](const Item& s, const Item& t) {
+                       const double a = s.p[0][axis] + s.p[1][axis] + s.p[2][axis];
+                       const double b = t.p[0][axis] + t.p[1][axis] + t.p[2][axis];
+                       return a < b || (a == b && s.id < t.id);
+                     });
     const int id = int(nodes_.size());
     nodes_.emplace_back();
-    Node node;
-    node.low.setConstant((std::numeric_limits<double>::max)());
-    node.high = -node.low;
-    Vec3 low = node.low, high = node.high;
-    for (int i = begin; i < end; ++i) {
-      for (const Vec3& p : items_[i].p) node.low = node.low.cwiseMin(p), node.high = node.high.cwiseMax(p);
-      const Vec3 m = items_[i].p[0] + items_[i].p[1] + items_[i].p[2];
-      low = low.cwiseMin(m), high = high.cwiseMax(m);
-    }
-    if (end - begin <= leaf_size) {
-      node.first = begin, node.count = end - begin;
-    } else {
-      int axis = 0;
-      (high - low).maxCoeff(&axis);
-      const int middle = (begin + end) / 2;
-      std::nth_element(items_.begin() + begin, items_.begin() + middle, items_.begin() + end,
-                       [axis](const Item& s, const Item& t) {
-                         const double a = s.p[0][axis] + s.p[1][axis] + s.p[2][axis];
-                         const double b = t.p[0][axis] + t.p[1][axis] + t.p[2][axis];
-                         return a < b || (a == b && s.id < t.id);
-                       });
-      build_node(begin, middle);
-      node.first = build_node(middle, end);
-    }
-    nodes_[id] = node;
+    Vec3 other_low, other_high;
+    const int left = build_node(begin, middle, low, high), right = build_node(middle, end, other_low, other_high);
+    nodes_[id].set(0, low, high), nodes_[id].set(1, other_low, other_high);
+    nodes_[id].child[0] = left, nodes_[id].child[1] = right;
+    low = low.cwiseMin(other_low), high = high.cwiseMax(other_high);
     return id;
-  }
-
-  static double squared_distance_to_box(const Node& node, const Vec3& q)
-  {
-    double sum = 0;
-    for (int i = 0; i < 3; ++i) {
-      const double d = (std::max)((std::max)(node.low[i] - q[i], q[i] - node.high[i]), 0.0);
-      sum += d * d;
-    }
-    return sum;
   }
 
   void try_item(int i, const Vec3& q, Closest& best) const
@@ -226,7 +246,9 @@ private:
   }
 
   std::vector<Item> items_;
-  std::vector<Node> nodes_;
+  std::vector<Node, Eigen::aligned_allocator<Node>> nodes_;
+  std::vector<Leaf> leaves_;
+  int root_ = 0;
   std::vector<int> place_; // of a triangle among the items
 };
 

@@ -59,6 +59,9 @@ public:
     surface.build_tree(s);
     faults = faults_before_ = count_faults(s, surface, 1 << 20);
     distance.measure_active(s, surface, base);
+    distance.resample(s, surface, base);
+    since_refresh = 0;
+    if (system.free_panels().empty()) return;
     for (int p : options.powers) run_power(p, s, surface);
   }
 
@@ -74,7 +77,7 @@ private:
   void run_power(int p, Flat_state& s, Panel_surface& surface)
   {
     double lambda = 1e-2;
-    int stalled = 0, since_refresh = options.refresh;
+    int stalled = 0;
     for (int step = 0; step < options.steps; ++step) {
       if (since_refresh >= options.refresh) {
         distance.resample(s, surface, base);
@@ -234,7 +237,7 @@ private:
   Eigen::MatrixXd H, D;
   Eigen::VectorXd f, zero;
   double damping_scale = 1;
-  int evaluations_ = 0, faults = 0, faults_before_ = 0;
+  int since_refresh = 0, evaluations_ = 0, faults = 0, faults_before_ = 0;
 };
 
 } // namespace internal

@@ -117,6 +117,43 @@ public:
     return e;
   }
 
+  /// Edge e between panels A and B ends between C and D: gives C the faces of A and B along it, so that C and D meet
+  /// and A and B part. \param end which of the edge's corners C is at \return false if that end has more than three
+  /// panels
+  bool flip(const Panel_model& m, int e, int end, Label_edit& edit) const
+  {
+    const auto& edge = m.topology->edges[e];
+    int third = -1;
+    if (m.topology->corner_panels[edge.corners[end]].size() != 3) return false;
+    for (int p : m.topology->corner_panels[edge.corners[end]])
+      if (p != edge.panels[0] && p != edge.panels[1]) third = p;
+    edit = no_edit(m.labels, m.panels());
+    for (int v : chain(m, e))
+      for (int f : c.star(v))
+        if (m.labels[f] == edge.panels[0] || m.labels[f] == edge.panels[1]) edit.labels[f] = third;
+    return true;
+  }
+
+  /// The mesh vertices along an edge of the complex.
+  std::vector<int> chain(const Panel_model& m, int e) const
+  {
+    const auto& edge = m.topology->edges[e];
+    const Boundary_walk walk(c, m.labels);
+    const int from = m.corner_vertex[edge.corners[0]], to = m.corner_vertex[edge.corners[1]];
+    std::vector<int> result{from};
+    for (int f : c.star(from)) {
+      const int h = 3 * f + c.corner_of(f, from);
+      if (m.labels[f] != edge.panels[0] || m.labels[c.neighbours[f][h % 3]] != edge.panels[1]) continue;
+      for (int i = h;; i = walk.next(i)) {
+        result.push_back(walk.target(i));
+        if (result.back() == to) return result;
+        if (walk.runs(result.back()) != 2) break; // another edge of the same two panels
+      }
+      result.resize(1);
+    }
+    return result;
+  }
+
   /// All pairs of neighbours, cheapest first.
   std::vector<Merge_candidate> merges(const Panel_model& m) const
   {

@@ -95,7 +95,7 @@ public:
       if (m.panel_error[p] < 0.8 * m.largest) break;
       if (improve_at(m, p, merges)) return true;
     }
-    return false;
+    return share_all(m);
   }
 
   /// A random change that need not improve anything: a panel is added at one of the bad places and a cheap pair merged.
@@ -208,12 +208,24 @@ private:
     return now.labels[before.panel_worst[p]];
   }
 
+  /// All faces go to the panels that they are nearest to now.
+  bool share_all(Panel_model& m)
+  {
+    std::vector<int> all(m.panels());
+    for (int p = 0; p < m.panels(); ++p) all[p] = p;
+    Panel_model result;
+    if (!attempt_edit(m, edits.share(m, all), result) || !is_better(result, m, least_gain)) return false;
+    m = std::move(result);
+    return true;
+  }
+
   bool improve_at(Panel_model& m, int p, const std::vector<Merge_candidate>& merges)
   {
     const int face = m.panel_worst[p];
     std::vector<Label_edit> candidates{edits.share(m, with_neighbours(m, p)), edits.split(m, p, face),
                                        edits.share_with_fresh(m, with_neighbours(m, p), face)};
     for (int q : Panel_edits::neighbours(m, p)) candidates.push_back(edits.divide_anew(m, p, q, face));
+    add_flips(m, p, candidates);
     std::vector<Panel_model> results;
     std::vector<char> ok;
     attempt_all(m, candidates, results, ok);
@@ -231,6 +243,26 @@ private:
           merge_back(m, p, results[i], merges))
         return true;
     return false;
+  }
+
+  /// Flips of the shortest edges around panel `p`: where an edge wants to vanish, its neighbours may want to meet.
+  void add_flips(const Panel_model& m, int p, std::vector<Label_edit>& candidates) const
+  {
+    std::vector<std::pair<double, int>> edges;
+    for (int e = 0; e < int(m.topology->edges.size()); ++e) {
+      const auto& edge = m.topology->edges[e];
+      bool near = false;
+      for (int x : edge.corners)
+        for (int q : m.topology->corner_panels[x]) near = near || q == p;
+      const double length = (m.state.corner[edge.corners[0]] - m.state.corner[edge.corners[1]]).norm();
+      if (near && length < 4 * local_options.min_edge + m.largest) edges.emplace_back(length, e);
+    }
+    std::sort(edges.begin(), edges.end());
+    for (std::size_t i = 0; i < edges.size() && i < 4; ++i)
+      for (int end = 0; end < 2; ++end) {
+        Label_edit edit;
+        if (edits.flip(m, edges[i].second, end, edit)) candidates.push_back(std::move(edit));
+      }
   }
 
   /// `larger` is `m` with one panel more; keeps it if a pair far from `p` can be merged and the whole is an
@@ -275,11 +307,14 @@ private:
     clip_ears(modeller.connectivity(), edit.labels);
     std::vector<char> touched;
     if (!modeller.rebuild(&m, edit, result, touched) || result.faults > m.faults) return false;
-    modeller.improve(result, with_ring(*result.topology, touched), local_options);
+    modeller.improve(result, touched, local_options);
+    if (result.faults > m.faults) return false;
+    if (result.merit < promising * m.merit)
+      modeller.improve(result, with_ring(*result.topology, touched), local_options);
     return result.faults <= m.faults;
   }
 
-  static constexpr double least_gain = 0.9995;
+  static constexpr double least_gain = 0.9995, promising = 1.1;
 
   const Panel_modeller& modeller;
   Panel_edits edits;

@@ -36,7 +36,8 @@ struct Panel_sample
   Barycentric weights;
   int panel;
   double area;
-  int near; ///< the model's face that was closest last time
+  int near;                 ///< the model's face that was closest last time
+  std::array<int, 3> owner; ///< panels that it lies on; at a corner with more, some of them
 };
 
 /// A distance as it stands: how long (times the importance of the place), in which direction the panel's point lies,
@@ -60,13 +61,30 @@ inline double power(double r, int p)
   return r;
 }
 
-/// Adds samples of panel `p` to `samples`: a grid in its plane, points along its sides (each side by the lower panel
-/// of its edge only) and its corners (by the first panel around).
+/// Places samples on panels: a grid in the plane of each, points along edges, and corners.
 class Panel_sampler
 {
 public:
   Panel_sampler(const Complex_topology& topology, double spacing) : t(topology), spacing(spacing) {}
 
+  /// Samples of the panels in `changed`, and of their edges and corners.
+  void sample(const Flat_state& s, const Panel_surface& surface, const std::vector<char>& changed,
+              std::vector<Panel_sample>& samples) const
+  {
+    samples.clear();
+    for (int p = 0; p < t.number_of_panels(); ++p)
+      if (changed[p]) sample_inside(s, surface, p, samples);
+    for (const auto& e : t.edges)
+      if (changed[e.panels[0]] || changed[e.panels[1]]) sample_edge(s, e, samples);
+    for (int c = 0; c < t.number_of_corners(); ++c) {
+      const auto& around = t.corner_panels[c];
+      if (changed[around[0]] || changed[around[1]] || changed[around[2]])
+        samples.push_back(
+            {{c, c, c}, {{1, 0, 0}}, around[0], 0.5 * spacing * spacing, -1, {{around[0], around[1], around[2]}}});
+    }
+  }
+
+private:
   void sample_inside(const Flat_state& s, const Panel_surface& surface, int p, std::vector<Panel_sample>& samples) const
   {
     const auto frame = tangents(s.normal[p]);
@@ -83,28 +101,21 @@ public:
           const Eigen::Vector2d d = Eigen::Vector2d(i, j) * spacing - A;
           const double wb = (d.x() * v.y() - d.y() * v.x()) / det, wc = (u.x() * d.y() - u.y() * d.x()) / det;
           if (wb < 0 || wc < 0 || wb + wc > 1) continue;
-          samples.push_back({q, {{1 - wb - wc, wb, wc}}, p, spacing * spacing, -1});
+          samples.push_back({q, {{1 - wb - wc, wb, wc}}, p, spacing * spacing, -1, {{p, p, p}}});
         }
     }
   }
 
-  void sample_edge(const Flat_state& s, int e, std::vector<Panel_sample>& samples) const
+  void sample_edge(const Flat_state& s, const Complex_topology::Edge& edge, std::vector<Panel_sample>& samples) const
   {
-    const auto& edge = t.edges[e];
-    const int a = edge.corners[0], b = edge.corners[1];
+    const int a = edge.corners[0], b = edge.corners[1], p = edge.panels[0], q = edge.panels[1];
     const double length = (s.corner[a] - s.corner[b]).norm();
     const int n = int(length / spacing) + 1;
     for (int i = 1; i < n; ++i)
       samples.push_back(
-          {{a, b, b}, {{1 - double(i) / n, double(i) / n, 0}}, edge.panels[0], 0.5 * spacing * length / n, -1});
+          {{a, b, b}, {{1 - double(i) / n, double(i) / n, 0}}, p, 0.5 * spacing * length / n, -1, {{p, p, q}}});
   }
 
-  void sample_corner(int c, std::vector<Panel_sample>& samples) const
-  {
-    samples.push_back({{c, c, c}, {{1, 0, 0}}, t.corner_panels[c][0], 0.5 * spacing * spacing, -1});
-  }
-
-private:
   const Complex_topology& t;
   double spacing;
 };
@@ -149,12 +160,7 @@ public:
   /// Places new samples on the panels that change and measures them. \pre `surface` stands at `s`
   void resample(const Flat_state& s, const Panel_surface& surface, Evaluation& e)
   {
-    samples_.clear();
-    for (int p : changed_panels_) sampler_.sample_inside(s, surface, p, samples_);
-    for (int i = 0; i < int(t.edges.size()); ++i)
-      if (system.moves(t.edges[i].corners[0]) || system.moves(t.edges[i].corners[1]))
-        sampler_.sample_edge(s, i, samples_);
-    for (int c : system.free_corners()) sampler_.sample_corner(c, samples_);
+    sampler_.sample(s, surface, changed_, samples_);
     e.to_input.assign(samples_.size(), Distance());
     for (std::size_t i = 0; i < samples_.size(); ++i) measure_sample(s, int(i), e.to_input[i]);
   }
