@@ -4,6 +4,7 @@
 // How close exactly flat panels come to a model, beside CGAL's variational shape approximation in the same process.
 //
 //   accuracy_benchmark [--k 30,50,70,90] [--effort fast|normal|best] [--seed N] [--threads N] [--time SECONDS]
+//   [--work FACTOR]
 //   MESH.off...
 //
 // One line a mesh and k: the symmetric Hausdorff distances of both in percent of the bounding-box diagonal, each within
@@ -102,6 +103,7 @@ int main(int argc, char** argv)
       options.effort = value == "fast" ? Effort::fast : value == "best" ? Effort::best : Effort::normal;
     if (a == "--seed") options.seed = std::uint64_t(std::atoll(value.c_str()));
     if (a == "--threads") options.threads = std::atoi(value.c_str());
+    if (a == "--work") options.work = std::atof(value.c_str());
     if (a == "--time") options.time_limit = std::atof(value.c_str());
   }
   std::printf("%-18s %3s %7s %7s %7s %7s %7s %7s %7s %9s %5s %8s %7s\n", "mesh", "k", "VSA %", "ours %", "ratio",

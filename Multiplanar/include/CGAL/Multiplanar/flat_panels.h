@@ -23,7 +23,7 @@ struct Flat_panels_options
 {
   int max_panels = 50;            ///< k
   Effort effort = Effort::normal; ///< how long to look for better partitions
-  double work = 1;                ///< multiplies the number of changes tried in the search
+  double work = 1;                ///< multiplies the work of the search
   double time_limit = 0;          ///< seconds after which the search stops, 0: none. If it strikes, results vary
   int threads = 0;                ///< 0: all that the machine has; the result does not depend on it
   std::uint64_t seed = 0;
@@ -114,7 +114,7 @@ inline Flat_panels_result flat_panels(const internal::Connectivity& c, const Poi
   search_options.min_width = options.min_width;
   CGAL_precondition(options.importance.empty() || int(options.importance.size()) == c.number_of_faces());
   internal::Input_surface input = internal::make_input_surface(c, source);
-  input.importance = options.importance;
+  input.set_importance(options.importance);
   internal::Panel_search search(input, search_options, progress);
   internal::Panel_model model;
   Flat_panels_result result;

@@ -26,18 +26,58 @@ struct Surface_sample
   int face; ///< a face that holds it
 };
 
+/// A triangle near every place: where to begin a search for the closest.
+class Nearby_triangles
+{
+public:
+  Nearby_triangles() = default;
+
+  /// A grid of cubes over the box of side 1.1 around the origin, each with the triangle closest to its middle.
+  explicit Nearby_triangles(const Triangle_tree& tree)
+  {
+    cells_.reserve(std::size_t(n) * n * n);
+    int hint = -1;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j)
+        for (int k = 0; k < n; ++k) {
+          const Vec3 middle = Vec3(i + 0.5, j + 0.5, k + 0.5) * (side / n) - Vec3::Constant(side / 2);
+          hint = tree.closest(middle, hint).triangle;
+          cells_.push_back(hint);
+        }
+  }
+
+  int operator()(const Vec3& x) const
+  {
+    int cell = 0;
+    for (int i = 0; i < 3; ++i) cell = cell * n + (std::min)((std::max)(int((x[i] + side / 2) * (n / side)), 0), n - 1);
+    return cells_[cell];
+  }
+
+private:
+  static constexpr int n = 24;
+  static constexpr double side = 1.1;
+  std::vector<int> cells_;
+};
+
 /// The model in the frame of the numerical work: bounding-box diagonal 1, box centre at the origin.
 struct Input_surface
 {
   std::vector<Vec3> points;
   const Connectivity* connectivity = nullptr;
   Triangle_tree tree;
+  Nearby_triangles nearby;
   std::vector<Surface_sample> samples;
   std::vector<double> importance; ///< by face: distances from there count so many times; empty: once
+  double largest_importance = 1;
   double area = 0;
   Vec3 centre = Vec3::Zero();
   double scale = 1; ///< of the model: its diagonal
 
+  void set_importance(std::vector<double> by_face)
+  {
+    importance = std::move(by_face);
+    if (!importance.empty()) largest_importance = *std::max_element(importance.begin(), importance.end());
+  }
   double importance_of(int face) const { return importance.empty() ? 1 : importance[face]; }
 
   Vec3 to_frame(const Point_3& p) const { return (as_vec(p) - centre) / scale; }
@@ -93,6 +133,7 @@ inline Input_surface make_input_surface(const Connectivity& c, const Points& sou
   in.scale = (high - low).norm();
   for (const Point_3& p : source) in.points.push_back(in.to_frame(p));
   in.tree.build(in.points, c.triangles);
+  in.nearby = Nearby_triangles(in.tree);
   for (const auto& t : c.triangles)
     in.area += (in.points[t[1]] - in.points[t[0]]).cross(in.points[t[2]] - in.points[t[0]]).norm() / 2;
   sample_input(in, samples);

@@ -45,6 +45,7 @@ struct Panel_model
   int offences = 0;                   ///< edges that are too short, and panels that are too narrow
   double merit = 0;                   ///< p-norm of all distances, p = 32
   double largest = 0;
+  double work = 0; ///< spent since it was built, in distances measured
 
   int panels() const { return topology->number_of_panels(); }
 };
@@ -71,6 +72,7 @@ public:
     if (n < 4) return false;
     auto topology = std::make_shared<Complex_topology>();
     m.labels = edit.labels;
+    m.work = 0.3 * c.number_of_faces();
     if (!Topology_tracer(c, m.labels, n).trace(*topology, m.corner_vertex)) return false;
     m.topology = topology;
     touched.assign(n, 0);
@@ -90,11 +92,15 @@ public:
   /// Accuracy steps with the panels of `free`.
   void improve(Panel_model& m, const std::vector<char>& free, const Accuracy_options& options) const
   {
-    Accuracy_steps steps(in, *m.topology, free, active_samples(m, free), spacing, options);
+    const std::vector<int> active = active_samples(m, free);
+    std::vector<int> likely;
+    for (int i : active) likely.push_back(m.near_panel[i] >= 0 ? m.near_panel[i] : m.labels[in.samples[i].face]);
+    Accuracy_steps steps(in, *m.topology, free, active, std::move(likely), spacing, options);
     auto surface = std::make_shared<Panel_surface>(*m.surface);
     steps.run(m.state, *surface);
     m.surface = surface;
     m.faults += steps.number_of_faults() - steps.faults_before();
+    m.work += double(steps.distances().measured());
     take_records(m, steps);
     sum_up(m);
   }
@@ -110,7 +116,7 @@ public:
     const std::vector<char> changed = changed_panels(m, free);
     for (std::size_t i = 0; i < in.samples.size(); ++i)
       if (m.near_panel[i] < 0 || changed[m.near_panel[i]]) {
-        const auto q = m.surface->tree().closest(in.samples[i].point);
+        const auto q = m.surface->closest(in.samples[i].point, m.labels[in.samples[i].face]);
         m.r[i] = in.importance_of(in.samples[i].face) * std::sqrt(q.squared_distance);
         m.near_panel[i] = m.surface->panel_of(q.triangle);
       }
@@ -343,12 +349,10 @@ private:
     drop_records(m, changed);
     std::vector<Panel_sample> samples;
     Panel_sampler(*m.topology, spacing).sample(m.state, *m.surface, changed, samples);
-    int hint = -1;
     for (const Panel_sample& sample : samples) {
       Vec3 x = Vec3::Zero();
       for (int j = 0; j < 3; ++j) x += sample.weights.w[j] * m.state.corner[sample.corner[j]];
-      const auto q = in.tree.closest(x, hint);
-      hint = q.triangle;
+      const auto q = in.tree.closest(x, in.nearby(x));
       m.records.push_back({in.importance_of(q.triangle) * std::sqrt(q.squared_distance), sample.area / in.area,
                            q.triangle, sample.owner});
     }

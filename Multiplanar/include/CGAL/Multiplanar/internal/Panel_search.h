@@ -31,28 +31,28 @@ struct Panel_search_options
   double time_limit = 0;
   int threads = 0;
   std::uint64_t seed = 0;
-  double work = 1; ///< multiplies the number of edits tried
+  double work = 1; ///< multiplies the work of the search
   double min_edge = 0.002, min_width = 0.002;
 };
 
-/// How much work an effort stands for. Counted in edits tried, not in seconds, so that results can be repeated.
+/// How much work an effort stands for. Counted in distances measured, not in seconds, so that results can be repeated.
 struct Search_budget
 {
   int partitions; ///< to start from, together with those given
   int chains;     ///< kept after the start, each searched on its own
   int rounds;     ///< after each, the worst chains end; fewer if five in a row gain nothing
-  int trials;     ///< edits tried by a chain in a round
+  double work;    ///< of a chain in a round, in distances measured
 };
 
 inline Search_budget search_budget(Effort effort)
 {
   switch (effort) {
   case Effort::fast:
-    return {2, 0, 0, 0};
+    return {2, 0, 0, 0.};
   case Effort::normal:
-    return {8, 4, 6, 200};
+    return {8, 4, 6, 2.5e6};
   case Effort::best:
-    return {24, 8, 1 << 20, 400};
+    return {24, 8, 1 << 20, 6e6};
   }
   return {};
 }
@@ -236,11 +236,11 @@ private:
     Teleport_search t(modeller, options.max_panels, 1);
     t.local_options = local_accuracy();
     std::mt19937_64 random(options.seed * 1000003 + std::uint64_t(round) * 101 + std::uint64_t(chain));
-    while (t.trials < budget.trials * options.work && !out_of_time()) {
+    while (t.work < budget.work * options.work && !out_of_time()) {
       if (t.improve_once(m)) continue;
       if (ranks_before(m, best)) best = m;
       m = best;
-      if (!t.kick(m, random)) t.trials += 4;
+      if (!t.kick(m, random)) t.work += 0.05 * budget.work;
     }
     if (ranks_before(m, best)) best = m;
   }

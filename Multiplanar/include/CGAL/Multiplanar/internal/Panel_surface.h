@@ -61,14 +61,23 @@ public:
   {
     triangles_.clear();
     panel_of_.clear();
-    for (int p = 0; p < t->number_of_panels(); ++p)
+    first_triangle_.assign(1, 0);
+    for (int p = 0; p < t->number_of_panels(); ++p) {
       for (const Triangle& q : panel_triangles_[p]) triangles_.push_back(q), panel_of_.push_back(p);
+      first_triangle_.push_back(int(triangles_.size()));
+    }
     tree_.build(s.corner, triangles_);
   }
 
   const std::vector<Triangle>& triangles_of(int p) const { return panel_triangles_[p]; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
   int panel_of(int triangle) const { return panel_of_[triangle]; }
+
+  /// The point of the panels closest to `q`, panel `likely` tried first; as near as `enough` will do.
+  Triangle_tree::Closest closest(const Vec3& q, int likely, double enough = 0) const
+  {
+    return tree_.closest(q, first_triangle_[likely], first_triangle_[likely + 1], enough);
+  }
   const Triangle_tree& tree() const { return tree_; }
   bool is_simple(int p) const { return simple_[p]; }
   bool all_simple() const
@@ -126,6 +135,7 @@ private:
   std::vector<char> simple_;
   std::vector<Triangle> triangles_;
   std::vector<int> panel_of_;
+  std::vector<int> first_triangle_; ///< of each panel, in the order of `triangles_`; and the end
   Triangle_tree tree_;
 };
 

@@ -110,31 +110,25 @@ public:
 
   /// The point of the triangles closest to `q`. `hint` is a triangle that is likely to be near, or -1. Among equally
   /// near triangles the answer depends on the tree and the hint alone.
-  Closest closest(const Vec3& q, int hint = -1) const
+  /// \param enough any triangle will do that is as near as this, the first found
+  Closest closest(const Vec3& q, int hint = -1, double enough = 0) const
   {
     Closest best;
     if (items_.empty()) return best;
     if (hint >= 0) try_item(place_[hint], q, best);
-    int stack[64], top = 0;
-    double key[64];
-    stack[top] = root_, key[top++] = 0;
-    while (top > 0) {
-      const int i = stack[--top];
-      if (key[top] >= best.squared_distance) continue;
-      if (i < 0) {
-        const Leaf& leaf = leaves_[-1 - i];
-        for (int j = leaf.first; j < leaf.first + leaf.count; ++j) try_item(j, q, best);
-        continue;
-      }
-      const Node& node = nodes_[i];
-      const Eigen::Array2d d = node.squared_distances(q);
-      const int near = d[1] < d[0] ? 1 : 0, far = 1 - near;
-      if (d[far] < best.squared_distance) stack[top] = node.child[far], key[top++] = d[far];
-      if (d[near] < best.squared_distance) stack[top] = node.child[near], key[top++] = d[near];
-    }
+    search(q, enough * enough, best);
     return best;
   }
 
+  /// The same with triangles first .. last - 1 tried before others.
+  Closest closest(const Vec3& q, int first, int last, double enough) const
+  {
+    Closest best;
+    if (items_.empty()) return best;
+    for (int t = first; t < last; ++t) try_item(place_[t], q, best);
+    search(q, enough * enough, best);
+    return best;
+  }
   /// Calls `f(t)` for every triangle t whose box meets the box [low, high].
   template <class F>
   void for_each_overlap(const Vec3& low, const Vec3& high, F f) const
@@ -234,6 +228,28 @@ private:
     nodes_[id].child[0] = left, nodes_[id].child[1] = right;
     low = low.cwiseMin(other_low), high = high.cwiseMax(other_high);
     return id;
+  }
+
+  /// Descends to all that may be nearer than `best`, which may be nothing yet, until `best` is as near as `enough`.
+  void search(const Vec3& q, double enough, Closest& best) const
+  {
+    int stack[64], top = 0;
+    double key[64];
+    stack[top] = root_, key[top++] = 0;
+    while (top > 0 && best.squared_distance > enough) {
+      const int i = stack[--top];
+      if (key[top] >= best.squared_distance) continue;
+      if (i < 0) {
+        const Leaf& leaf = leaves_[-1 - i];
+        for (int j = leaf.first; j < leaf.first + leaf.count; ++j) try_item(j, q, best);
+        continue;
+      }
+      const Node& node = nodes_[i];
+      const Eigen::Array2d d = node.squared_distances(q);
+      const int near = d[1] < d[0] ? 1 : 0, far = 1 - near;
+      if (d[far] < best.squared_distance) stack[top] = node.child[far], key[top++] = d[far];
+      if (d[near] < best.squared_distance) stack[top] = node.child[near], key[top++] = d[near];
+    }
   }
 
   void try_item(int i, const Vec3& q, Closest& best) const

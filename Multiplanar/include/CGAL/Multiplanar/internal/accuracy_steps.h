@@ -37,15 +37,17 @@ struct Accuracy_options
   int steps = 12;           ///< for every power
   int refresh = 4;          ///< accepted steps between new samples
   double least_gain = 1e-3; ///< relative fall of the p-norm below which a step counts as stalled
+  double expected = 0;      ///< the p-norm that results are compared with: much smaller distances need not be known
+  double hopeless = 1e300;  ///< p-norm that is not worth going on with after a few steps
 };
 
 class Accuracy_steps
 {
 public:
   Accuracy_steps(const Input_surface& input, const Complex_topology& topology, std::vector<char> free,
-                 std::vector<int> active, double spacing, const Accuracy_options& options)
+                 std::vector<int> active, std::vector<int> likely, double spacing, const Accuracy_options& options)
       : t(topology), options(options), system(topology, std::move(free)),
-        distance(input, topology, system, std::move(active), spacing), trial_surface(topology)
+        distance(input, topology, system, std::move(active), std::move(likely), spacing), trial_surface(topology)
   {
     for (int e = 0; e < int(t.edges.size()); ++e)
       if (system.moves(t.edges[e].corners[0]) || system.moves(t.edges[e].corners[1])) edges.push_back(e);
@@ -58,6 +60,7 @@ public:
     trial_surface = surface;
     surface.build_tree(s);
     faults = faults_before_ = count_faults(s, surface, 1 << 20);
+    distance.set_enough(enough(options.powers[0], options.expected));
     distance.measure_active(s, surface, base);
     distance.resample(s, surface, base);
     since_refresh = 0;
@@ -85,7 +88,8 @@ private:
       }
       const double largest = (std::max)(base.largest(), 1e-300);
       const double unit = largest * std::pow(distance.energy(base, p, largest), 1.0 / p);
-      if (!(unit > 1e-14)) return;
+      if (!(unit > 1e-14) || (step == 3 && unit > options.hopeless)) return;
+      distance.set_enough(enough(p, options.expected > 0 ? (std::min)(unit, options.expected) : unit));
       system.linearise(s);
       assemble(p, unit, s);
       const double merit = 1.0 / p + barrier(s);
@@ -180,6 +184,7 @@ private:
 
   /// Distances below this part of the p-norm contribute less than 1e-4 to E_p together.
   static double negligible(int p) { return p <= 4 ? 0 : std::pow(1e-4, 1.0 / p); }
+  static double enough(int p, double norm) { return 0.9 * negligible(p) * norm; }
 
   /// \return the relative fall of the p-norm, or 0 if the step was refused
   double try_step(int p, double unit, double merit, double lambda, Flat_state& s, Panel_surface& surface)

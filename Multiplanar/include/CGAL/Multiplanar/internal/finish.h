@@ -16,14 +16,15 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-// The last part of an approximation: exactly flat polygons, the mesh mapped into them, and the mesh moved there by guarded
-// motion. What stands in the way costs accuracy, never a promise: panels that the mesh cannot be mapped into, or cannot
-// reach, are merged with a neighbour, and the work is done again with one panel less.
+// The last part of an approximation: exactly flat polygons, the mesh mapped into them, and the mesh moved there by
+// guarded motion. What stands in the way costs accuracy, never a promise: panels that the mesh cannot be mapped into,
+// or cannot reach, are merged with a neighbour, and the work is done again with one panel less.
 
 namespace CGAL {
 namespace Multiplanar {
@@ -55,16 +56,11 @@ inline std::vector<int> panels_around(const Connectivity& c, const std::vector<i
   return panels;
 }
 
-/// Maps the mesh into the polygons of `flat` and moves it there from the source.
-inline Finished_surface move_to_panels(const Connectivity& c, const Points& source, Flat_panels_result flat,
-                                       Stopwatch& clock)
+/// Moves the mesh from the source to where `mapping` puts it in the polygons of `flat`.
+inline Finished_surface move_to_panels(const Connectivity& c, const Points& source, const Panel_mapping& mapping,
+                                       Flat_panels_result flat, Stopwatch& clock)
 {
   Finished_surface done;
-  Panel_mapping mapping(c, source, std::move(flat.panel_of_face), std::move(flat.complex));
-  {
-    const Stopwatch::Lap lap(clock, "mapping");
-    mapping.repair();
-  }
   flat.panel_of_face = mapping.labels();
   flat.complex = mapping.complex();
   done.points = source;
@@ -113,16 +109,19 @@ inline bool merge_panel(const Connectivity& c, const Points& source, const Label
 }
 
 /// Polygons from the partitions, or from coarser ones if those cannot be made flat.
+/// \param mapping receives the mesh mapped into them
 inline Flat_panels_result flat_panels_or_fewer(const Connectivity& c, const Points& source, const Label_costs& costs,
                                                const std::vector<std::vector<int>>& partitions,
                                                Flat_panels_options options, int fewest, Approximation_visitor& visitor,
-                                               std::vector<std::string>& notes)
+                                               std::vector<std::string>& notes, Stopwatch& clock,
+                                               std::unique_ptr<Panel_mapping>& mapping)
 {
   const auto progress = [&](double done) { return visitor.progress("flat panels", done); };
   const auto obstacles = [&](const Flat_panels_result& candidate) {
-    Panel_mapping mapping(c, source, candidate.panel_of_face, candidate.complex);
-    mapping.repair();
-    return mapping.failed();
+    const Stopwatch::Lap lap(clock, "mapping, part of flat panels");
+    mapping.reset(new Panel_mapping(c, source, candidate.panel_of_face, candidate.complex));
+    mapping->repair();
+    return mapping->failed();
   };
   Flat_panels_result flat = flat_panels(c, source, partitions, options, progress, obstacles);
   options.effort = Effort::fast;
@@ -158,12 +157,13 @@ inline void finish(const Connectivity& c, const Points& source, const std::vecto
   const Label_costs costs(c, unit);
 
   Flat_panels_result flat;
+  std::unique_ptr<Panel_mapping> mapping;
   {
     const Stopwatch::Lap lap(clock, "flat panels");
     flat = flat_panels_or_fewer(c, source, costs, partitions, flat_options, fewest_panels(c.genus()), visitor,
-                                result.notes);
+                                result.notes, clock, mapping);
   }
-  Finished_surface done = move_to_panels(c, source, flat, clock);
+  Finished_surface done = move_to_panels(c, source, *mapping, flat, clock);
   flat_options.effort = Effort::fast;
   for (int merges = 0; !done.blocked.empty(); ++merges) {
     std::vector<int> labels = done.flat.panel_of_face;
@@ -176,8 +176,8 @@ inline void finish(const Connectivity& c, const Points& source, const std::vecto
     const Stopwatch::Lap lap(clock, "flat panels");
     flat_options.max_panels = done.flat.complex.number_of_panels() - 1;
     flat = flat_panels_or_fewer(c, source, costs, {labels}, flat_options, fewest_panels(c.genus()), visitor,
-                                result.notes);
-    done = move_to_panels(c, source, flat, clock);
+                                result.notes, clock, mapping);
+    done = move_to_panels(c, source, *mapping, flat, clock);
   }
   result.points = std::move(done.points);
   result.panel_of_face = std::move(done.flat.panel_of_face);

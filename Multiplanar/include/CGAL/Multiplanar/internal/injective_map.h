@@ -5,7 +5,7 @@
 #define CGAL_MULTIPLANAR_INTERNAL_INJECTIVE_MAP_H
 
 #include <CGAL/assertions.h>
-#include <CGAL/Multiplanar/internal/lifted_content.h>
+#include <CGAL/Multiplanar/internal/local_untangling.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

@@ -15,10 +15,11 @@
 #include <cmath>
 #include <vector>
 
-// Total lifted content (Du, Aigerman, Zhou, Kovalsky, Yan, Kaufman, Ju: Lifting Simplices to Find Injectivity, 2020): the
-// sum over triangles of the area of the triangle lifted to R^4 by sqrt(alpha) times an equilateral triangle. As alpha -> 0 it
-// tends to the sum of unsigned areas, whose minimum for a given boundary is the area inside, taken exactly by the maps
-// whose triangles are all positive. Unlike areas themselves it is smooth, and it has a slope at inverted triangles.
+// Total lifted content (Du, Aigerman, Zhou, Kovalsky, Yan, Kaufman, Ju: Lifting Simplices to Find Injectivity, 2020):
+// the sum over triangles of the area of the triangle lifted to R^4 by sqrt(alpha) times an equilateral triangle. As
+// alpha -> 0 it tends to the sum of unsigned areas, whose minimum for a given boundary is the area inside, taken
+// exactly by the maps whose triangles are all positive. Unlike areas themselves it is smooth, and it has a slope at
+// inverted triangles.
 
 namespace CGAL {
 namespace Multiplanar {
@@ -36,7 +37,12 @@ inline double doubled_area(const Point_2d& a, const Point_2d& b, const Point_2d&
 /// base + x[unknown] along; or free, (x[unknown], x[unknown + 1]).
 struct Planar_node
 {
-  enum class Kind { fixed, sliding, free };
+  enum class Kind
+  {
+    fixed,
+    sliding,
+    free
+  };
   Kind kind = Kind::fixed;
   Point_2d base = Point_2d::Zero(), along = Point_2d::Zero();
   int unknown = -1;
@@ -114,7 +120,8 @@ public:
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override
   {
     const bool look = summary.iteration % 10 == 0;
-    return look && complex.count_inverted(x.data()) == 0 ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+    return look && complex.count_inverted(x.data()) == 0 ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
+                                                         : ceres::SOLVER_CONTINUE;
   }
 
 private:
@@ -122,32 +129,21 @@ private:
   const std::vector<double>& x;
 };
 
-/// Minimises the total lifted content from `x`, with alpha lowered until every triangle is positive.
-/// \param mean_area of a triangle, the unit of the lift
-/// \return whether every triangle came out positive; if not, `x` is the best found
-inline bool untangle(const Planar_complex& complex, double mean_area, std::vector<double>& x)
+/// Moves `x` towards a minimum of the total lifted content; ends early where every triangle is positive.
+inline void minimise_lifted_content(const Planar_complex& complex, double lift, std::vector<double>& x)
 {
-  if (complex.unknowns == 0) return complex.count_inverted(x.data()) == 0;
-  std::vector<double> best = x;
-  int fewest = complex.count_inverted(x.data());
-  for (double alpha = 1e-2; alpha >= 1e-7 && fewest > 0; alpha *= 1e-1) {
-    ceres::GradientProblem problem(new Total_lifted_content(complex, alpha * mean_area)); // takes ownership
-    Stop_when_injective stop(complex, x);
-    ceres::GradientProblemSolver::Options options;
-    options.line_search_direction_type = ceres::LBFGS;
-    options.max_num_iterations = 200;
-    options.function_tolerance = 1e-12;
-    options.gradient_tolerance = 1e-14;
-    options.logging_type = ceres::SILENT;
-    options.update_state_every_iteration = true;
-    options.callbacks.push_back(&stop);
-    ceres::GradientProblemSolver::Summary summary;
-    ceres::Solve(options, problem, x.data(), &summary);
-    const int inverted = complex.count_inverted(x.data());
-    if (inverted < fewest) fewest = inverted, best = x;
-  }
-  x = best;
-  return fewest == 0;
+  ceres::GradientProblem problem(new Total_lifted_content(complex, lift)); // takes ownership
+  Stop_when_injective stop(complex, x);
+  ceres::GradientProblemSolver::Options options;
+  options.line_search_direction_type = ceres::LBFGS;
+  options.max_num_iterations = 200;
+  options.function_tolerance = 1e-9;
+  options.gradient_tolerance = 1e-14;
+  options.logging_type = ceres::SILENT;
+  options.update_state_every_iteration = true;
+  options.callbacks.push_back(&stop);
+  ceres::GradientProblemSolver::Summary summary;
+  ceres::Solve(options, problem, x.data(), &summary);
 }
 
 } // namespace internal

@@ -52,7 +52,8 @@ public:
       int p = 0;
       while (p < int(state.inverted.size()) && (state.inverted[p] == 0 || hopeless.count(p))) ++p;
       if (p == int(state.inverted.size())) break;
-      if (improve(p)) hopeless.clear(); // what was hopeless may not be so next to something new
+      if (improve(p)) // what was hopeless may not be so next to something new
+        for (int q : state.complex.neighbours(p)) hopeless.erase(q);
       else hopeless.insert(p);
     }
     return failed().empty();

@@ -5,6 +5,7 @@
 #define CGAL_MULTIPLANAR_INTERNAL_SLIDE_BOUNDARIES_H
 
 #include <CGAL/Multiplanar/Panel_complex.h>
+#include <CGAL/Multiplanar/internal/local_untangling.h>
 #include <CGAL/Multiplanar/internal/panel_targets.h>
 
 #include <set>

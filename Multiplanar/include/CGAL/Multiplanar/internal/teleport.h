@@ -58,7 +58,7 @@ public:
   }
 
   Accuracy_options local_options;
-  int trials = 0;
+  double work = 0; ///< done so far, in distances measured
 
   /// All pairs of neighbours, cheapest first.
   std::vector<Merge_candidate> cheapest_merges(const Panel_model& m) const { return edits.merges(m); }
@@ -75,7 +75,7 @@ public:
     }
     std::vector<Panel_model> results;
     std::vector<char> ok;
-    attempt_all(m, candidates, results, ok);
+    attempt_all(m, candidates, local_options, results, ok);
     int best = -1;
     for (int i = 0; i < int(results.size()); ++i)
       if (ok[i] && (best < 0 || results[i].merit < results[best].merit)) best = i;
@@ -110,10 +110,10 @@ public:
       const auto& pair = merges[random() % std::uint64_t((std::min)(int(merges.size()), 4 + m.panels() / 4))];
       if (pair.p == p || pair.q == p) continue;
       Panel_model smaller, result;
-      if (!attempt_edit(m, edits.merge(m, pair.p, pair.q), smaller)) continue;
+      if (!attempt_edit(m, edits.merge(m, pair.p, pair.q), local_options, smaller)) continue;
       const int worst = order_position(smaller, m, p);
       const int face = smaller.panel_worst[worst];
-      if (!attempt_edit(smaller, edits.split(smaller, worst, face), result)) continue;
+      if (!attempt_edit(smaller, edits.split(smaller, worst, face), local_options, result)) continue;
       m = std::move(result);
       return true;
     }
@@ -139,7 +139,6 @@ public:
     for (const auto& pq : pairs) candidates.push_back(edits.merge(m, pq.first, pq.second));
     std::vector<Panel_model> results(candidates.size());
     std::vector<char> ok(candidates.size(), 0);
-    trials += int(candidates.size());
     for_each_parallel(int(candidates.size()), threads, [&](int i) {
       std::vector<char> touched;
       clip_ears(modeller.connectivity(), candidates[i].labels);
@@ -177,7 +176,7 @@ public:
     }
     std::vector<Panel_model> results;
     std::vector<char> ok;
-    attempt_all(m, candidates, results, ok);
+    attempt_all(m, candidates, local_options, results, ok);
     int best = -1;
     for (int i = 0; i < int(results.size()); ++i)
       if (ok[i] && results[i].offences < m.offences && (best < 0 || results[i].merit < results[best].merit)) best = i;
@@ -214,7 +213,8 @@ private:
     std::vector<int> all(m.panels());
     for (int p = 0; p < m.panels(); ++p) all[p] = p;
     Panel_model result;
-    if (!attempt_edit(m, edits.share(m, all), result) || !is_better(result, m, least_gain)) return false;
+    if (!attempt_edit(m, edits.share(m, all), options_to_beat(m), result) || !is_better(result, m, least_gain))
+      return false;
     m = std::move(result);
     return true;
   }
@@ -228,7 +228,7 @@ private:
     add_flips(m, p, candidates);
     std::vector<Panel_model> results;
     std::vector<char> ok;
-    attempt_all(m, candidates, results, ok);
+    attempt_all(m, candidates, options_to_beat(m), results, ok);
     int best = -1;
     for (int i = 0; i < int(results.size()); ++i)
       if (ok[i] && results[i].panels() <= max_panels && is_better(results[i], m, least_gain) &&
@@ -276,7 +276,7 @@ private:
     }
     std::vector<Panel_model> results;
     std::vector<char> ok;
-    attempt_all(larger, candidates, results, ok);
+    attempt_all(larger, candidates, options_to_beat(m), results, ok);
     int best = -1;
     for (int i = 0; i < int(results.size()); ++i)
       if (ok[i] && is_better(results[i], m, least_gain) && (best < 0 || ranks_before(results[i], results[best])))
@@ -286,31 +286,41 @@ private:
     return true;
   }
 
-  void attempt_all(const Panel_model& m, std::vector<Label_edit>& candidates, std::vector<Panel_model>& results,
-                   std::vector<char>& ok)
+  /// Steps for edits that count only if the result is better than `m`.
+  Accuracy_options options_to_beat(const Panel_model& m) const
+  {
+    Accuracy_options o = local_options;
+    o.expected = m.merit;
+    o.hopeless = 1.4 * m.merit;
+    return o;
+  }
+
+  void attempt_all(const Panel_model& m, std::vector<Label_edit>& candidates, const Accuracy_options& options,
+                   std::vector<Panel_model>& results, std::vector<char>& ok)
   {
     results.resize(candidates.size());
     ok.assign(candidates.size(), 0);
-    trials += int(candidates.size());
-    for_each_parallel(int(candidates.size()), threads, [&](int i) { ok[i] = evaluate(m, candidates[i], results[i]); });
+    for_each_parallel(int(candidates.size()), threads,
+                      [&](int i) { ok[i] = evaluate(m, candidates[i], options, results[i]); });
+    for (const Panel_model& r : results) work += r.work;
   }
 
-  bool attempt_edit(const Panel_model& m, Label_edit edit, Panel_model& result)
+  bool attempt_edit(const Panel_model& m, Label_edit edit, const Accuracy_options& options, Panel_model& result)
   {
-    ++trials;
-    return evaluate(m, edit, result);
+    const bool ok = evaluate(m, edit, options, result);
+    work += result.work;
+    return ok;
   }
 
   /// The model after an edit and accuracy steps around it. \return false if that is not possible without new faults
-  bool evaluate(const Panel_model& m, Label_edit& edit, Panel_model& result) const
+  bool evaluate(const Panel_model& m, Label_edit& edit, const Accuracy_options& options, Panel_model& result) const
   {
     clip_ears(modeller.connectivity(), edit.labels);
     std::vector<char> touched;
     if (!modeller.rebuild(&m, edit, result, touched) || result.faults > m.faults) return false;
-    modeller.improve(result, touched, local_options);
+    modeller.improve(result, touched, options);
     if (result.faults > m.faults) return false;
-    if (result.merit < promising * m.merit)
-      modeller.improve(result, with_ring(*result.topology, touched), local_options);
+    if (result.merit < promising * m.merit) modeller.improve(result, with_ring(*result.topology, touched), options);
     return result.faults <= m.faults;
   }
 

@@ -51,7 +51,7 @@ struct Distance
   std::array<int, 3> corner{{-1, -1, -1}};
   Barycentric weights{{1, 0, 0}};
   int panel = -1;
-  double slack = 0; ///< the distance may have changed by so much since it was measured
+  double slack = 0; ///< it may be longer by so much: not measured to the end, or moved since
 };
 
 /// r^p for a power of two p.
@@ -139,10 +139,11 @@ class Two_sided_distance
 {
 public:
   /// \param active which of the model's samples are looked at
+  /// \param likely for each of them a panel that may be the closest
   Two_sided_distance(const Input_surface& input, const Complex_topology& topology, const Plane_corner_system& system,
-                     std::vector<int> active, double spacing)
-      : in(input), t(topology), system(system), active_(std::move(active)), sampler_(topology, spacing),
-        near_panel_(active_.size(), -1), changed_(topology.number_of_panels(), 0)
+                     std::vector<int> active, std::vector<int> likely, double spacing)
+      : in(input), t(topology), system(system), active_(std::move(active)), likely_(std::move(likely)),
+        sampler_(topology, spacing), changed_(topology.number_of_panels(), 0)
   {
     for (int c : system.free_corners())
       for (int p : t.corner_panels[c]) changed_[p] = 1;
@@ -154,8 +155,12 @@ public:
   const std::vector<char>& changed() const { return changed_; }
   const std::vector<int>& changed_panels() const { return changed_panels_; }
   const std::vector<Panel_sample>& samples() const { return samples_; }
+  long measured() const { return measured_; }
   double area_of_active(int i) const { return in.samples[active_[i]].area / in.area; }
   double area_of_sample(int i) const { return samples_[i].area / in.area; }
+
+  /// From now on, distances up to `r` need not be known better than that.
+  void set_enough(double r) { enough_ = r; }
 
   /// Places new samples on the panels that change and measures them. \pre `surface` stands at `s`
   void resample(const Flat_state& s, const Panel_surface& surface, Evaluation& e)
@@ -219,13 +224,12 @@ private:
   void measure_active_sample(const Flat_state& s, const Panel_surface& surface, int i, Distance& d)
   {
     const Vec3& v = in.samples[active_[i]].point;
-    const int hint = near_panel_[i] < surface.tree().number_of_triangles() ? near_panel_[i] : -1;
-    const auto c = surface.tree().closest(v, hint);
-    near_panel_[i] = c.triangle;
-    d.panel = surface.panel_of(c.triangle);
+    d.importance = in.importance_of(in.samples[active_[i]].face);
+    ++measured_;
+    const auto c = surface.closest(v, likely_[i], enough_ / d.importance);
+    d.panel = likely_[i] = surface.panel_of(c.triangle);
     d.corner = surface.triangles()[c.triangle];
     d.weights = c.weights;
-    d.importance = in.importance_of(in.samples[active_[i]].face);
     set(d, c.point, v, s.normal[d.panel]);
   }
 
@@ -234,32 +238,34 @@ private:
     Panel_sample& q = samples_[i];
     Vec3 x = Vec3::Zero();
     for (int j = 0; j < 3; ++j) x += q.weights.w[j] * s.corner[q.corner[j]];
-    const auto c = in.tree.closest(x, q.near);
+    ++measured_;
+    const auto c = in.tree.closest(x, q.near >= 0 ? q.near : in.nearby(x), enough_ / in.largest_importance);
     q.near = c.triangle;
     d.panel = q.panel, d.corner = q.corner, d.weights = q.weights;
     d.importance = in.importance_of(c.triangle);
     set(d, x, c.point, s.normal[q.panel]);
   }
 
-  static void set(Distance& d, const Vec3& panel_point, const Vec3& other, const Vec3& normal)
+  void set(Distance& d, const Vec3& panel_point, const Vec3& other, const Vec3& normal) const
   {
     const Vec3 v = panel_point - other;
     d.point = panel_point;
     const double r = v.norm();
     d.r = d.importance * r;
     d.u = r > 1e-10 ? Vec3(v / r) : normal;
-    d.slack = 0;
+    d.slack = d.r < enough_ ? enough_ - d.r : 0;
   }
 
   const Input_surface& in;
   const Complex_topology& t;
   const Plane_corner_system& system;
-  std::vector<int> active_;
+  std::vector<int> active_, likely_;
   Panel_sampler sampler_;
-  std::vector<int> near_panel_; // a triangle of the panels
   std::vector<char> changed_;
   std::vector<int> changed_panels_;
   std::vector<Panel_sample> samples_;
+  double enough_ = 0;
+  long measured_ = 0;
 };
 
 } // namespace internal
