@@ -9,8 +9,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <numeric>
 #include <set>
+#include <thread>
 
 namespace {
 
@@ -91,6 +94,37 @@ Vertex_graph graph_of_edges(int n, const std::vector<std::array<int, 2>>& edges)
   return graph;
 }
 
+/// The blocks of the factor's lower triangle, the diagonal included, by symbolic elimination: the slow twin of
+/// CHOLMOD's analysis. Column j has the rows of the matrix and those of the columns whose first row below the diagonal
+/// is j.
+std::size_t number_of_factor_blocks(const Vertex_graph& graph, const std::vector<int>& order)
+{
+  const int n = graph.number_of_vertices();
+  std::vector<int> rank(n);
+  for (int i = 0; i < n; ++i) rank[order[i]] = i;
+  std::vector<std::set<int>> below(n);
+  std::size_t blocks = 0;
+  for (int j = 0; j < n; ++j) {
+    for (int u : graph.adjacent(order[j]))
+      if (rank[u] > j) below[j].insert(rank[u]);
+    blocks += 1 + below[j].size();
+    if (below[j].empty()) continue;
+    const int parent = *below[j].begin();
+    below[parent].insert(std::next(below[j].begin()), below[j].end());
+    below[j].clear();
+  }
+  return blocks;
+}
+
+/// From one side of the surface to the other: a band matrix.
+std::vector<int> order_in_strips(const Mesh& mesh)
+{
+  std::vector<int> order(mesh.points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int u, int v) { return mesh.points[u] < mesh.points[v]; });
+  return order;
+}
+
 } // namespace
 
 TEST(BlockCholesky, SolvesLikeADenseFactorisation)
@@ -150,16 +184,50 @@ TEST(BlockCholesky, GivesTheSameBitsForAnyNumberOfThreads)
   }
 }
 
-TEST(EliminationOrder, IsAPermutationThatFillsInLittle)
+TEST(EliminationOrder, IsAPermutationAlwaysTheSame)
 {
   const Vertex_graph graph = graph_of(geodesic_sphere(24), 1);
   std::vector<int> order = internal::elimination_order(graph);
   EXPECT_EQ(order, internal::elimination_order(graph));
-  Block_cholesky system(graph, 1);
-  const double faces = 2. * graph.number_of_vertices() - 4;
-  EXPECT_LT(double(system.factor_bytes()), 1500 * faces); // 1200 measured; a band ordering has 5 times as much
   std::sort(order.begin(), order.end());
   for (int v = 0; v < int(order.size()); ++v) ASSERT_EQ(order[v], v);
+}
+
+// With n vertices, the blocks a vertex are in proportion to n^0.5 if the order goes in strips across the surface, since
+// a strip has so many vertices; they are a + b log n in nested dissection. So from one size to the next, with 4 times
+// the vertices, their growth doubles, or stays the same.
+TEST(EliminationOrder, FillsInAsNestedDissectionDoes)
+{
+  std::vector<double> dissected, strips; // blocks a vertex
+  for (int frequency : {12, 24, 48}) {
+    const Mesh sphere = geodesic_sphere(frequency);
+    const Vertex_graph graph = graph_of(sphere, 1);
+    const double n = graph.number_of_vertices();
+    dissected.push_back(double(number_of_factor_blocks(graph, internal::elimination_order(graph))) / n);
+    strips.push_back(double(number_of_factor_blocks(graph, order_in_strips(sphere))) / n);
+    std::printf("  %.0f vertices: %.1f blocks a vertex, in strips %.1f\n", n, dissected.back(), strips.back());
+    EXPECT_LT(dissected.back(), strips.back() / 2);
+  }
+  const auto change_of_growth = [](const std::vector<double>& x) { return (x[2] - x[1]) / (x[1] - x[0]); };
+  EXPECT_LT(change_of_growth(dissected), std::sqrt(2.)); // halfway between 1 and 2
+  EXPECT_GT(change_of_growth(strips), std::sqrt(2.));
+}
+
+// CHOLMOD keeps runs of columns as dense rectangles, which holds zeros too: more than the factor itself, but by far not
+// what another order would take.
+TEST(BlockCholesky, HoldsLittleMoreThanTheFactor)
+{
+  const Mesh sphere = geodesic_sphere(24);
+  const Vertex_graph graph = graph_of(sphere, 1);
+  const auto bytes = [&](const std::vector<int>& order) { // of the lower triangle
+    const double n = graph.number_of_vertices();
+    return sizeof(double) * (6 * n + 9 * (double(number_of_factor_blocks(graph, order)) - n));
+  };
+  const double held = double(Block_cholesky(graph, 1).factor_bytes());
+  const double needed = bytes(internal::elimination_order(graph)), in_strips = bytes(order_in_strips(sphere));
+  std::printf("  held %.2f MB, needed %.2f MB, in strips %.2f MB\n", held / 1e6, needed / 1e6, in_strips / 1e6);
+  EXPECT_GE(held, needed);
+  EXPECT_LT(held, in_strips / 2);
 }
 
 TEST(VertexGraph, HoldsRings)
@@ -184,21 +252,28 @@ TEST(VertexGraph, HoldsRings)
   }
 }
 
-// The caller's settings are back when the last of several is gone.
+// The caller's settings are back when the last of several is gone; each thread has its own of OpenMP.
 TEST(SerialLibraries, RestoreWhatTheyFound)
 {
   auto* const blas_threads = internal::loaded_function<int()>("openblas_get_num_threads");
   auto* const levels = internal::loaded_function<int()>("omp_get_max_active_levels");
-  const int blas_before = blas_threads == nullptr ? 1 : blas_threads(),
-            levels_before = levels == nullptr ? 1 : levels();
+  auto* const team = internal::loaded_function<int()>("omp_get_max_threads");
+  const auto settings = [&] {
+    return std::array<int, 3>{blas_threads ? blas_threads() : 1, levels ? levels() : 0, team ? team() : 1};
+  };
+  const std::array<int, 3> serial = {1, 0, 1}, before = settings();
   {
     internal::Serial_libraries outer;
     {
       internal::Serial_libraries inner;
+      EXPECT_EQ(settings(), serial);
     }
-    if (blas_threads != nullptr) EXPECT_EQ(blas_threads(), 1);
-    if (levels != nullptr) EXPECT_EQ(levels(), 0);
+    EXPECT_EQ(settings(), serial);
+    std::thread([&] {
+      internal::Serial_libraries other;
+      EXPECT_EQ(settings(), serial);
+    }).join();
+    EXPECT_EQ(settings(), serial);
   }
-  if (blas_threads != nullptr) EXPECT_EQ(blas_threads(), blas_before);
-  if (levels != nullptr) EXPECT_EQ(levels(), levels_before);
+  EXPECT_EQ(settings(), before);
 }

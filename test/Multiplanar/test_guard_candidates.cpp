@@ -75,6 +75,17 @@ TEST(Embedding, NamesTheFault)
   EXPECT_FALSE(meet_properly<Kernel>(c, crossing, fault->first, fault->second));
 }
 
+// Builds with assertions check the whole mesh after every pass, whoever calls: here one that was broken before.
+TEST(Embedding, IsCheckedAfterEveryPass)
+{
+  const Mesh mesh = geodesic_sphere(3);
+  const Connectivity c = connect(mesh);
+  Points points = mesh.points, targets = mesh.points;
+  EXPECT_NO_THROW(Guarded_motion(c).move(points, targets));
+  points[0] = targets[0] = points[0] + 3. * (CGAL::ORIGIN - points[0]);
+  EXPECT_THROW(Guarded_motion(c).move(points, targets), CGAL::Postcondition_exception);
+}
+
 // ---- broad phase
 
 std::set<std::pair<int, int>> pairs_by_box_intersection(const std::vector<CGAL::Bbox_3>& boxes)
@@ -132,6 +143,23 @@ TEST(Close_pairs, OnlyPairsWithAMovingFaceAreCandidates)
   Close_pairs close;
   close.find(c, mesh.points, targets, 0);
   EXPECT_EQ(close.number_of_candidates(), expected);
+}
+
+TEST(Close_pairs, AreTheSameForAnyNumberOfThreads)
+{
+  const Mesh mesh = bumpy_sphere(20);
+  const Connectivity c = connect(mesh);
+  const Points targets = displaced(mesh.points, 0.05, 7);
+  Close_pairs one;
+  one.find(c, mesh.points, targets, 1e-15);
+  EXPECT_GT(one.size(), 1000u);
+  for (int threads : {2, 3, 7}) {
+    Close_pairs several;
+    several.find(c, mesh.points, targets, 1e-15, threads);
+    EXPECT_EQ(several.number_of_candidates(), one.number_of_candidates());
+    ASSERT_EQ(several.size(), one.size());
+    for (int f = 0; f < c.number_of_faces(); ++f) EXPECT_TRUE(several.partners(f) == one.partners(f)); // in order
+  }
 }
 
 // ---- clearance: whatever is skipped must be free of contact in any mixture of states

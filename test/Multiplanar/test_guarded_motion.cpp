@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Multiplanar authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define CGAL_MULTIPLANAR_CHECK_EXPENSIVE // the whole mesh before and after every pass
+#define CGAL_MULTIPLANAR_CHECK_EXPENSIVE // the whole mesh before every pass too
 
 #include "guard_fixtures.h"
 

@@ -59,7 +59,8 @@ inline Point_3 step_towards(const Point_3& from, const Point_3& to, double fract
 ///
 /// A move is accepted only if every swept tetrahedron meets every static triangle exactly in their shared simplex; see
 /// `swept_tetrahedron.h` for why that suffices. Which pairs can matter at all is found once for a pass, see
-/// `close_pairs.h`. The result depends on nothing but the arguments: vertices are tried in the order of their numbers.
+/// `close_pairs.h`. Vertices are tried in the order of their numbers, and the result is the same for any number of
+/// threads.
 class Guarded_motion
 {
 public:
@@ -67,10 +68,11 @@ public:
   /// \param max_halvings how often a refused step is halved and tried again, before the vertex waits.
   /// \param max_rounds how often waiting vertices are tried; after the first round only those for which what blocked
   ///        them has moved since.
-  Guarded_motion(const Connectivity& connectivity, int max_halvings = 3, int max_rounds = 4)
-      : connectivity_(connectivity), max_halvings_(max_halvings), max_rounds_(max_rounds)
+  /// \param threads at most this many look for the pairs that can matter; moves are made one after the other.
+  Guarded_motion(const Connectivity& connectivity, int max_halvings = 3, int max_rounds = 4, int threads = 1)
+      : connectivity_(connectivity), max_halvings_(max_halvings), max_rounds_(max_rounds), threads_(threads)
   {
-    CGAL_precondition(max_halvings >= 0 && max_rounds >= 1);
+    CGAL_precondition(max_halvings >= 0 && max_rounds >= 1 && threads >= 1);
   }
 
   /// Moves `points` towards `targets`. A vertex whose target is not finite stays where it is and counts as refused.
@@ -95,7 +97,8 @@ public:
     if (to_move > 0) {
       CGAL::Real_timer timer;
       timer.start();
-      pairs_.find(connectivity_, points, targets_, max_rounds_ * 4 * DBL_EPSILON * largest_coordinate_);
+      const double drift = max_rounds_ * 4 * DBL_EPSILON * largest_coordinate_;
+      pairs_.find(connectivity_, points, targets_, drift, threads_);
       statistics_.candidate_pairs = pairs_.number_of_candidates();
       statistics_.skipped_by_clearance = pairs_.number_of_candidates() - pairs_.size();
       statistics_.broad_seconds = timer.time();
@@ -105,9 +108,7 @@ public:
     }
     count_unfinished(points);
     statistics_.moved = to_move - waiting_.size();
-#ifdef CGAL_MULTIPLANAR_CHECK_EXPENSIVE
-    CGAL_postcondition(is_embedded(connectivity_, points));
-#endif
+    CGAL_postcondition(is_embedded(connectivity_, points)); // the whole mesh, after every pass of a debug build
     return statistics_;
   }
 
@@ -208,14 +209,31 @@ private:
   bool is_clear(const Points& points, const Connectivity::Triangle& t, const Point_3& to,
                 const Connectivity::Triangle& s)
   {
-    const bool disjoint = std::none_of(s.begin(), s.end(), [&](int v) { return v == t[1] || v == t[2]; });
-    if (disjoint) {
-      const Point_3 tau[4] = {points[t[0]], to, points[t[1]], points[t[2]]};
-      const Point_3 other[3] = {points[s[0]], points[s[1]], points[s[2]]};
-      if (are_separated(tau, 4, other, 3, slack_)) return true;
-    }
+    const bool has_a = s[0] == t[1] || s[1] == t[1] || s[2] == t[1];
+    const bool has_b = s[0] == t[2] || s[1] == t[2] || s[2] == t[2];
+    if (!has_a && !has_b && is_surely_clear(points, t, to, s)) return true;
+    if (has_a && !has_b && is_surely_clear_at_vertex(points, t[0], to, t[1], t[2], s)) return true;
+    if (has_b && !has_a && is_surely_clear_at_vertex(points, t[0], to, t[2], t[1], s)) return true;
     ++statistics_.exact_tests;
     return is_sweep_clear(points, t, to, s);
+  }
+
+  bool is_surely_clear(const Points& points, const Connectivity::Triangle& t, const Point_3& to,
+                       const Connectivity::Triangle& s) const
+  {
+    const Point_3 tau[4] = {points[t[0]], to, points[t[1]], points[t[2]]};
+    const Point_3 other[3] = {points[s[0]], points[s[1]], points[s[2]]};
+    return are_separated(tau, 4, other, 3, slack_);
+  }
+
+  /// The triangle of the moving vertex p with a and b, against `s`, which shares a.
+  bool is_surely_clear_at_vertex(const Points& points, int p, const Point_3& to, int a, int b,
+                                 const Connectivity::Triangle& s) const
+  {
+    const int i = s[0] == a ? 0 : s[1] == a ? 1 : 2;
+    const auto still = [&](int v) { return Moving_point{points[v], points[v]}; };
+    return are_separated_at_vertex(still(a), {points[p], to}, still(b), still(s[(i + 1) % 3]), still(s[(i + 2) % 3]),
+                                   slack_);
   }
 
   /// Triangle `f`, beginning with its vertex `v`.
@@ -247,7 +265,7 @@ private:
   }
 
   const Connectivity& connectivity_;
-  int max_halvings_, max_rounds_;
+  int max_halvings_, max_rounds_, threads_;
 
   Close_pairs pairs_;
   Points targets_; // those given, with the finite ones only

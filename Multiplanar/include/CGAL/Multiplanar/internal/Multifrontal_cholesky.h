@@ -6,6 +6,8 @@
 
 #include <CGAL/Multiplanar/internal/Cholmod.h>
 #include <CGAL/Multiplanar/internal/Supernode_tree.h>
+#include <CGAL/Multiplanar/internal/parallel_ranges.h>
+#include <CGAL/Multiplanar/internal/serial_libraries.h>
 
 #include <CGAL/assertions.h>
 
@@ -13,7 +15,6 @@
 #include <atomic>
 #include <cstddef>
 #include <cstring>
-#include <thread>
 #include <vector>
 
 extern "C" {
@@ -63,10 +64,11 @@ public:
     matrix_ = &matrix;
     failed_ = false;
     next_subtree_ = 0;
-    std::vector<std::thread> helpers;
-    for (int i = 1; i < schedule_.threads; ++i) helpers.emplace_back([this, i] { do_subtrees(workspaces_[i]); });
-    do_subtrees(workspaces_[0]);
-    for (std::thread& helper : helpers) helper.join();
+    parallel_ranges(schedule_.threads, schedule_.threads, [this](int part, int, int) {
+      Serial_libraries serial;
+      do_subtrees(workspaces_[part]);
+    });
+    Serial_libraries serial;
     do_fronts(schedule_.top, workspaces_[0]);
     return !failed_;
   }
@@ -122,13 +124,12 @@ private:
     double* const panel = static_cast<double*>(factor_.x) + tree_.values_begin(s);
     double* const update = w.stack.data() + w.top;
     std::fill(panel, panel + std::size_t(rows) * columns, 0.);
-    const bool is_leaf = tree_.children(s).empty();
-    for (int j = 0; j < rest && !is_leaf; ++j)
+    for (int j = 0; j < rest; ++j)
       std::fill(update + std::size_t(j) * rest + j, update + std::size_t(j + 1) * rest, 0.);
     for (int i = 0; i < rows; ++i) w.position[tree_.rows(s)[i]] = i;
     add_matrix(s, panel, w);
     for (int child : tree_.children(s)) add_update(child, s, panel, update, w);
-    if (!eliminate(columns, rest, panel, update, is_leaf ? 0 : 1)) {
+    if (!eliminate(columns, rest, panel, update)) {
       failed_ = true;
       return;
     }
@@ -162,8 +163,8 @@ private:
     }
   }
 
-  /// panel = [A; B] becomes [L; B L^-T] with A = L L^T, and update becomes keep * update - B A^-1 B^T. Lower triangles.
-  static bool eliminate(int columns, int rest, double* panel, double* update, double keep)
+  /// panel = [A; B] becomes [L; B L^-T] with A = L L^T, and update becomes update - B A^-1 B^T. Lower triangles.
+  static bool eliminate(int columns, int rest, double* panel, double* update)
   {
     const int rows = columns + rest;
     const double one = 1, minus_one = -1;
@@ -172,7 +173,7 @@ private:
     if (info != 0) return false;
     if (rest == 0) return true;
     dtrsm_("R", "L", "T", "N", &rest, &columns, &one, panel, &rows, panel + columns, &rows);
-    dsyrk_("L", "N", &rest, &columns, &minus_one, panel + columns, &rows, &keep, update, &rest);
+    dsyrk_("L", "N", &rest, &columns, &minus_one, panel + columns, &rows, &one, update, &rest);
     return true;
   }
 

@@ -5,8 +5,10 @@
 #define CGAL_MULTIPLANAR_INTERNAL_STOPWATCH_H
 
 #include <chrono>
+#include <ctime>
 #include <map>
 #include <string>
+#include <utility>
 
 namespace CGAL {
 namespace Multiplanar {
@@ -22,8 +24,14 @@ public:
   class Lap
   {
   public:
-    Lap(Stopwatch& watch, std::string stage) : watch(watch), stage(std::move(stage)), begin(clock::now()) {}
-    ~Lap() { watch.times[stage] += std::chrono::duration<double>(clock::now() - begin).count(); }
+    Lap(Stopwatch& watch, std::string stage)
+        : watch(watch), stage(std::move(stage)), begin(clock::now()), processor_begin(std::clock())
+    {}
+    ~Lap()
+    {
+      watch.times[stage] += std::chrono::duration<double>(clock::now() - begin).count();
+      watch.processor_times[stage] += double(std::clock() - processor_begin) / CLOCKS_PER_SEC;
+    }
     Lap(const Lap&) = delete;
     Lap& operator=(const Lap&) = delete;
 
@@ -31,12 +39,16 @@ public:
     Stopwatch& watch;
     std::string stage;
     clock::time_point begin;
+    std::clock_t processor_begin;
   };
 
   const std::map<std::string, double>& seconds() const { return times; }
 
+  /// What the whole process, all its threads, computed meanwhile.
+  const std::map<std::string, double>& processor_seconds() const { return processor_times; }
+
 private:
-  std::map<std::string, double> times;
+  std::map<std::string, double> times, processor_times;
 };
 
 } // namespace internal

@@ -40,6 +40,7 @@ public:
       children_[parent_[s]].push_back(s);
       first_[parent_[s]] = (std::min)(first_[parent_[s]], first_[s]);
     }
+    CGAL_assertion(is_in_postorder());
   }
 
   int size() const { return int(parent_.size()); }
@@ -68,6 +69,20 @@ public:
   }
 
 private:
+  /// Does each supernode follow directly upon the subtrees of its children, which follow upon each other?
+  bool is_in_postorder() const
+  {
+    for (int s = 0; s < size(); ++s) {
+      int next = first_[s];
+      for (int child : children_[s]) {
+        if (first_[child] != next) return false;
+        next = child + 1;
+      }
+      if (next != s) return false;
+    }
+    return true;
+  }
+
   const int* column_begin_;
   const int* row_begin_;
   const int* value_begin_;

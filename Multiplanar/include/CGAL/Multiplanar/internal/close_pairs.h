@@ -8,11 +8,13 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Multiplanar/internal/Connectivity.h>
 #include <CGAL/Multiplanar/internal/clearance.h>
+#include <CGAL/Multiplanar/internal/parallel_ranges.h>
 #include <CGAL/Multiplanar/internal/swept_aabb_tree.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
 #include <boost/range/iterator_range.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
@@ -32,20 +34,25 @@ class Close_pairs
 {
 public:
   /// Collects the pairs for a pass from `from` to `to`, for states whose vertices are off their ways by at most `drift`
-  /// per coordinate (and never leave the box of the two positions). Expected O(F log F) for displacements of the order
-  /// of an edge.
-  void find(const Connectivity& connectivity, const Points& from, const Points& to, double drift)
+  /// per coordinate (and never leave the box of the two positions). The result does not depend on `threads`. Expected
+  /// O(F log F) for displacements of the order of an edge.
+  void find(const Connectivity& connectivity, const Points& from, const Points& to, double drift, int threads = 1)
   {
     CGAL_precondition(from.size() == to.size() && int(from.size()) == connectivity.number_of_vertices());
     sweep(connectivity, from, to, drift);
     build_swept_tree(tree_, boxes_);
-    candidates_ = 0;
-    pairs_.clear();
     // In the order of the tree: faces that are asked for in turn are near each other in space, and in the cache.
     order_.clear();
     tree_.all_intersected_primitives(tree_.bbox(), std::back_inserter(order_));
-    for (int f : order_)
-      if (is_moving_[f]) find_partners(connectivity, from, to, f);
+    constexpr int worth_a_thread = 1000; // faces: half a millisecond
+    const int parts = (std::max)(1, (std::min)(threads, int(order_.size()) / worth_a_thread));
+    found_.resize(parts);
+    parallel_ranges(int(order_.size()), parts, [&](int part, int first, int last) {
+      found_[part].clear();
+      for (int i = first; i < last; ++i)
+        if (is_moving_[order_[i]]) find_partners(connectivity, from, to, order_[i], found_[part]);
+    });
+    collect();
     sort_by_face(connectivity.number_of_faces());
   }
 
@@ -93,12 +100,20 @@ private:
     }
   }
 
-  void find_partners(const Connectivity& connectivity, const Points& from, const Points& to, int f)
+  /// What one thread found.
+  struct Found
+  {
+    std::size_t candidates = 0;
+    std::vector<std::pair<int, int>> pairs;
+    void clear() { candidates = 0, pairs.clear(); }
+  };
+
+  void find_partners(const Connectivity& connectivity, const Points& from, const Points& to, int f, Found& found) const
   {
     const auto test = [&](int g) {
       if (g == f || (is_moving_[g] && g < f)) return;
-      ++candidates_;
-      if (!are_clear(connectivity, from, to, f, g)) pairs_.emplace_back(f, g);
+      ++found.candidates;
+      if (!are_clear(connectivity, from, to, f, g)) found.pairs.emplace_back(f, g);
     };
     tree_.all_intersected_primitives(boxes_[f], boost::make_function_output_iterator(test));
   }
@@ -123,6 +138,17 @@ private:
     return shared == 2 && are_unfolded(normals_[f], normals_[g]);
   }
 
+  /// Joins what the threads found, in the order of the tree.
+  void collect()
+  {
+    candidates_ = 0;
+    pairs_.clear();
+    for (const Found& found : found_) {
+      candidates_ += found.candidates;
+      pairs_.insert(pairs_.end(), found.pairs.begin(), found.pairs.end());
+    }
+  }
+
   /// Lists each pair under both its faces.
   void sort_by_face(int faces)
   {
@@ -142,7 +168,8 @@ private:
   std::vector<Normal_cone> normals_;
   double slack_ = 0;
   Swept_aabb_tree tree_;
-  std::vector<int> order_; // all faces
+  std::vector<int> order_;   // all faces
+  std::vector<Found> found_; // by thread
   std::size_t candidates_ = 0;
   std::vector<std::pair<int, int>> pairs_;
   std::vector<std::size_t>

@@ -32,14 +32,19 @@ Function* loaded_function(const char* name)
 /// CHOLMOD opens an OpenMP region of four threads for every supernode, however few cores there are; for the sizes met
 /// here the regions cost two to three times as much as the arithmetic. OpenBLAS gains little at these sizes and does
 /// not promise the same last digits for every number of threads. Libraries that are not loaded are left alone.
+///
+/// OpenMP's settings belong to each thread, and so do those of an OpenBLAS that is built on it: every thread that calls
+/// these libraries needs an object of its own.
 class Serial_libraries
 {
 public:
   Serial_libraries()
   {
-    if (openmp().set != nullptr && openmp().get != nullptr) {
-      levels_ = openmp().get();
-      openmp().set(0); // affects the calling thread's regions alone: each gets a team of one
+    if (openmp().is_loaded()) {
+      levels_ = openmp().get_levels();
+      team_ = openmp().get_threads();
+      openmp().set_levels(0);  // a region gets a team of one even if it asks for more, as CHOLMOD's do
+      openmp().set_threads(1); // what OpenBLAS looks at
     }
     std::lock_guard<std::mutex> lock(blas().mutex);
     if (blas().users++ == 0 && blas().set != nullptr && blas().get != nullptr) {
@@ -50,9 +55,13 @@ public:
 
   ~Serial_libraries()
   {
-    if (levels_ >= 0) openmp().set(levels_);
-    std::lock_guard<std::mutex> lock(blas().mutex);
-    if (--blas().users == 0 && blas().threads > 1) blas().set(blas().threads);
+    {
+      std::lock_guard<std::mutex> lock(blas().mutex);
+      if (--blas().users == 0 && blas().threads > 1) blas().set(blas().threads);
+    }
+    if (levels_ < 0) return;
+    openmp().set_threads(team_); // after OpenBLAS, which may set it too
+    openmp().set_levels(levels_);
   }
 
   Serial_libraries(const Serial_libraries&) = delete;
@@ -61,8 +70,11 @@ public:
 private:
   struct Openmp
   {
-    int (*get)() = loaded_function<int()>("omp_get_max_active_levels");
-    void (*set)(int) = loaded_function<void(int)>("omp_set_max_active_levels");
+    int (*get_levels)() = loaded_function<int()>("omp_get_max_active_levels");
+    void (*set_levels)(int) = loaded_function<void(int)>("omp_set_max_active_levels");
+    int (*get_threads)() = loaded_function<int()>("omp_get_max_threads");
+    void (*set_threads)(int) = loaded_function<void(int)>("omp_set_num_threads");
+    bool is_loaded() const { return get_levels && set_levels && get_threads && set_threads; }
   };
 
   /// OpenBLAS has one number of threads for the whole process: the first user saves it, the last one restores it.
@@ -87,7 +99,7 @@ private:
     return functions;
   }
 
-  int levels_ = -1;
+  int levels_ = -1, team_ = -1;
 };
 
 } // namespace internal
