@@ -81,6 +81,65 @@ inline Flat_panels_result result_of(const Connectivity& c, const Points& source,
   return result;
 }
 
+/// Changes panels until a caller's obstacles are gone.
+class Panel_rework
+{
+public:
+  Panel_rework(const Connectivity& c, const Points& source, const Input_surface& input, Panel_search& search,
+               const Flat_panels_obstacles& obstacles)
+      : c(c), source(source), in(input), search(search), obstacles(obstacles)
+  {
+  }
+
+  /// The last question put to `obstacles` is about what `result` is in the end; it is not ok if that still has some.
+  void run(Panel_model& model, Flat_panels_result& result)
+  {
+    std::vector<int> blocked = result.ok ? obstacles(result) : std::vector<int>();
+    for (int round = 0; !blocked.empty(); ++round) {
+      if (round == max_rounds || !improve(model, result, blocked)) {
+        result.ok = false;
+        return;
+      }
+      search.notes.push_back("a panel was changed because the mesh could not be moved into it");
+    }
+  }
+
+private:
+  /// Takes the best of the models around a blocked panel that have fewer blocked panels, or else fewer panels.
+  bool improve(Panel_model& model, Flat_panels_result& result, std::vector<int>& blocked)
+  {
+    std::vector<Panel_model> models = search.reworked(model, blocked[0]);
+    int fewer_panels = -1;
+    for (int i = 0; i < int(models.size()) && i < max_trials; ++i) {
+      Flat_panels_result trial = result_of(c, source, in, models[i]);
+      if (!trial.ok) continue;
+      const std::vector<int> still = obstacles(trial);
+      if (still.size() < blocked.size()) return take(models[i], trial, still, model, result, blocked);
+      if (fewer_panels < 0 && models[i].panels() < model.panels()) fewer_panels = i;
+    }
+    if (fewer_panels < 0) return false;
+    Flat_panels_result trial = result_of(c, source, in, models[fewer_panels]);
+    return take(models[fewer_panels], trial, obstacles(trial), model, result, blocked);
+  }
+
+  static bool take(Panel_model& next, Flat_panels_result& next_result, const std::vector<int>& still,
+                   Panel_model& model, Flat_panels_result& result, std::vector<int>& blocked)
+  {
+    model = std::move(next);
+    result = std::move(next_result);
+    blocked = still;
+    return true;
+  }
+
+  static constexpr int max_rounds = 16, max_trials = 12;
+
+  const Connectivity& c;
+  const Points& source;
+  const Input_surface& in;
+  Panel_search& search;
+  const Flat_panels_obstacles& obstacles;
+};
+
 } // namespace internal
 
 /*!
@@ -122,16 +181,8 @@ inline Flat_panels_result flat_panels(const internal::Connectivity& c, const Poi
     result.notes = search.notes;
     return result;
   }
-  for (int round = 0;; ++round) {
-    result = internal::result_of(c, source, input, model);
-    const std::vector<int> blocked = result.ok && obstacles ? obstacles(result) : std::vector<int>();
-    if (blocked.empty()) break;
-    if (round == 16 || !(search.rework(model, blocked[0], round % 2 == 1) || search.rework(model, blocked[0], true))) {
-      result.ok = false;
-      break;
-    }
-    search.notes.push_back("a panel was changed because the mesh could not be moved into it");
-  }
+  result = internal::result_of(c, source, input, model);
+  if (obstacles) internal::Panel_rework(c, source, input, search, obstacles).run(model, result);
   if (result.ok) internal::measure_panels(c, source, input.scale, result);
   result.notes = search.notes;
   return result;

@@ -38,7 +38,7 @@ struct Panel_search_options
 /// How much work an effort stands for. Counted in distances measured, not in seconds, so that results can be repeated.
 struct Search_budget
 {
-  int partitions; ///< to start from, together with those given
+  int partitions; ///< to start from, besides those given
   int chains;     ///< kept after the start, each searched on its own
   int rounds;     ///< after each, the worst chains end; fewer if five in a row gain nothing
   double work;    ///< of a chain in a round, in distances measured
@@ -87,19 +87,19 @@ public:
     search(models);
     best = std::move(models[0]);
     tidy(best);
-    mend(costs, best);
+    mend(costs, best, &notes);
     return true;
   }
 
-  /// Changes panel `p` of a result of `run` that its user cannot work with; with `remove`, it goes.
-  /// \return false if that cannot be done
-  bool rework(Panel_model& m, int p, bool remove)
+  /// Models with panel `p` of a result of `run` or its surroundings changed: to choose from where `p` is of no use.
+  std::vector<Panel_model> reworked(const Panel_model& m, int p)
   {
     Teleport_search t(modeller, options.max_panels, threads);
     t.local_options = local_accuracy();
-    if (!t.rework(m, p, remove)) return false;
-    mend(Label_costs(c, frame_points), m);
-    return true;
+    std::vector<Panel_model> models = t.reworked(m, p);
+    const Label_costs costs(c, frame_points);
+    for_each_parallel(int(models.size()), threads, [&](int i) { mend(costs, models[i], nullptr); });
+    return models;
   }
 
 private:
@@ -122,7 +122,7 @@ private:
   /// Grown partitions, from seeds that differ with the attempt; later attempts with fewer panels.
   void add_partitions(int attempt, std::vector<std::vector<int>>& partitions) const
   {
-    const int given = int(partitions.size()), wanted = (std::max)(given, budget.partitions);
+    const int given = int(partitions.size()), wanted = given + budget.partitions;
     const int least = 4 + 3 * c.genus();
     const int k = (std::max)((std::min)(least, options.max_panels), int(options.max_panels * (1 - 0.1 * attempt)));
     partitions.resize(wanted);
@@ -256,7 +256,7 @@ private:
   }
 
   /// Chords are mended, so that the mesh can follow; the model is adapted where that changed corners.
-  void mend(const Label_costs& costs, Panel_model& m)
+  void mend(const Label_costs& costs, Panel_model& m, std::vector<std::string>* notes) const
   {
     Panel_labelling panels(c, m.labels);
     Panel_fits fits(costs, panels);
@@ -264,8 +264,8 @@ private:
     if (panels.number_of_local_problems() == 0) return;
     Panel_mender mender(panels, fits);
     mender.mend_all();
-    if (panels.number_of_local_problems() > 0)
-      notes.push_back("some triangles of the mesh have all their corners on one edge of a panel");
+    if (notes && panels.number_of_local_problems() > 0)
+      notes->push_back("some triangles of the mesh have all their corners on one edge of a panel");
     Label_edit edit = no_edit(panels.labels(), m.panels());
     Panel_model mended;
     std::vector<char> touched;

@@ -63,25 +63,26 @@ public:
   /// All pairs of neighbours, cheapest first.
   std::vector<Merge_candidate> cheapest_merges(const Panel_model& m) const { return edits.merges(m); }
 
-  /// Changes or removes panel `p`, whatever that does to the distance: the best of the edits around it that leave no
-  /// faults. \param remove whether `p` must go. \return false if there is none
-  bool rework(Panel_model& m, int p, bool remove)
+  /// Models in which panel `p` or its surroundings are different, whatever that does to the distance, without new
+  /// faults: best first.
+  std::vector<Panel_model> reworked(const Panel_model& m, int p)
   {
     edits.set_unit((std::max)(m.largest, 1e-9));
-    std::vector<Label_edit> candidates{edits.dissolve(m, p)};
+    std::vector<Label_edit> candidates{edits.dissolve(m, p), edits.share(m, with_neighbours(m, p))};
     for (int q : Panel_edits::neighbours(m, p)) {
       candidates.push_back(edits.merge(m, p, q));
-      if (!remove) candidates.push_back(edits.divide_anew(m, p, q, m.panel_worst[p]));
+      candidates.push_back(edits.divide_anew(m, p, q, m.panel_worst[p]));
+      candidates.push_back(edits.dissolve(m, q));
     }
+    add_flips(m, p, candidates);
     std::vector<Panel_model> results;
     std::vector<char> ok;
     attempt_all(m, candidates, local_options, results, ok);
-    int best = -1;
+    std::vector<Panel_model> good;
     for (int i = 0; i < int(results.size()); ++i)
-      if (ok[i] && (best < 0 || results[i].merit < results[best].merit)) best = i;
-    if (best < 0) return false;
-    m = std::move(results[best]);
-    return true;
+      if (ok[i] && results[i].labels != m.labels) good.push_back(std::move(results[i]));
+    std::stable_sort(good.begin(), good.end(), ranks_before);
+    return good;
   }
 
   /// Tries edits at the worst places until one lowers the p-norm. \return false if none does
