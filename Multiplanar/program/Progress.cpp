@@ -32,6 +32,14 @@ void Progress::update(const std::string& stage, double fraction)
   draw();
 }
 
+void Progress::event(const std::string& json)
+{
+  const std::lock_guard<std::mutex> lock(mutex);
+  if (style != Style::json) return;
+  std::printf("%s\n", json.c_str());
+  std::fflush(stdout);
+}
+
 void Progress::finish()
 {
   const std::lock_guard<std::mutex> lock(mutex);

@@ -26,6 +26,8 @@ public:
 
   /// `fraction` in 0..1 of `stage` is done. Another stage than before ends the one before. May be called by any thread.
   void update(const std::string& stage, double fraction);
+  /// Something happened that only programs want to know: a JSON object, printed where progress is such objects.
+  void event(const std::string& json);
   /// Ends the current stage.
   void finish();
   /// Takes the bar away, so that a message can be printed.

@@ -52,10 +52,10 @@ void add_approximation_options(CLI::App& app, Settings& s, Raw_values& raw)
   app.add_option("--effort", raw.effort, "fast, normal or best (normal)")->type_name("NAME");
   app.add_option("--iterations", a.iterations, "passes of the main loop (50)")->type_name("N");
   app.add_option("--seed", raw.seed, "of all random choices (0)")->type_name("N");
-  app.add_option("--restarts", a.restarts, "seeds tried; the best result is kept (1)")->type_name("N");
+  app.add_option("--restarts", a.restarts, "seeds tried; kept is the one whose panels are closest, both ways (1)")->type_name("N");
   app.add_option("--saliency", s.saliency_file, "where more panels are wanted: a value 0..1 a face, text or PLY")
       ->type_name("FILE");
-  app.add_option("--saliency-weight", a.saliency_weight, "how much that counts (1)")->type_name("W");
+  app.add_option("--saliency-weight", a.saliency_weight, "W: 1 + W/4 times the panels where saliency is 1 (1)")->type_name("W");
   app.add_option("--smoothness", a.smoothness, "weight of the smoothness term (0)")->type_name("W");
   app.add_option("--solver", raw.solver, "auto, ceres or direct (auto)")->type_name("NAME");
   for (const char* name : {"--panels", "--effort", "--iterations", "--seed", "--restarts", "--saliency",

@@ -60,6 +60,7 @@ public:
     report.options = options;
     Approximation_result result = run_approximation(mesh, options, progress);
     report.accuracy = accuracy_of(result);
+    report.labellings = result.labellings;
     report.seconds.insert(report.seconds.end(), result.seconds.begin(), result.seconds.end());
     warn(result.notes);
     return result;

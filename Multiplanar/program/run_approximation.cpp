@@ -21,6 +21,12 @@ struct Progress_visitor : Approximation_visitor
     shown.update(stage, fraction);
     return true;
   }
+  void labelled(const Labelling_record& record) override
+  {
+    internal::Json json = {{"event", "labelling"}};
+    json.update(internal::json_labelling(record));
+    shown.event(internal::one_line(json));
+  }
   Progress& shown;
 };
 

@@ -1,8 +1,6 @@
 // Copyright (c) 2026 The Multiplanar authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define CGAL_MULTIPLANAR_CHECK_EXPENSIVE
-
 #include <CGAL/Multiplanar/alpha_expansion.h>
 
 #include "potts_problems.h"

@@ -83,6 +83,21 @@ TEST(Against_CGAL, bumpy_cube) { expect_the_energy_of_cgal(bumpy(cube(11)), "bum
 
 TEST(Against_CGAL, cube) { expect_the_energy_of_cgal(cube(10), "cube"); }
 
+// Scanned and modelled shapes, 2,000 to 6,000 faces.
+class Against_CGAL_on_its_meshes : public ::testing::TestWithParam<const char*>
+{
+};
+
+TEST_P(Against_CGAL_on_its_meshes, reaches_its_energy)
+{
+  const char* folder = std::getenv("MULTIPLANAR_CGAL_DATA");
+  if (folder == nullptr) GTEST_SKIP() << "MULTIPLANAR_CGAL_DATA names no folder";
+  expect_the_energy_of_cgal(read_off(std::string(folder) + "/meshes/" + GetParam() + ".off"), GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(meshes, Against_CGAL_on_its_meshes,
+                         ::testing::Values("hand", "elk", "blobby", "cow", "elephant", "triceratops"));
+
 // The same graph through the functions for BGL graphs.
 TEST(Against_CGAL, same_interface)
 {

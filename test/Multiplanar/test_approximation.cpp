@@ -162,9 +162,13 @@ TEST(Approximation, same_result_for_any_number_of_threads)
 {
   const auto source = Multiplanar_test::bumpy_sphere(8);
   const Outcome one = approximated(source, fast(16).number_of_threads(1).number_of_restarts(3));
-  const Outcome two = approximated(source, fast(16).number_of_threads(2).number_of_restarts(3));
-  EXPECT_EQ(one.panels, two.panels);
-  EXPECT_EQ(one.result.points, two.result.points);
+  for (int threads : {2, 5}) {
+    const Outcome more = approximated(source, fast(16).number_of_threads(threads).number_of_restarts(3));
+    EXPECT_EQ(one.panels, more.panels);
+    EXPECT_EQ(one.result.points, more.result.points);
+  }
+  const Outcome other = approximated(source, fast(16).number_of_threads(1).number_of_restarts(1));
+  EXPECT_LE(one.result.hausdorff, 1.02 * other.result.hausdorff); // one of the three
 }
 
 TEST(Approximation, scaling_by_a_power_of_two_scales_the_result)
@@ -203,23 +207,123 @@ TEST(Approximation, refuses_what_does_not_fit)
   EXPECT_THROW(approximated(sphere, parameters::number_of_panels(8).number_of_iterations(0)), std::invalid_argument);
 }
 
-TEST(Approximation, panels_go_where_the_saliency_is)
+/// The panels with more of their faces above the equator than below, and those below; and the mean distances of the
+/// two halves of the sphere from the panels.
+struct Halves
+{
+  double panels_above = 0, panels_below = 0, distance_above = 0, distance_below = 0;
+};
+
+/// A sphere with its upper half painted, or nothing if `weight` is negative.
+Halves halves_of_a_sphere(int k, double weight)
 {
   const auto source = Multiplanar_test::icosphere(4);
   auto mesh = surface_mesh(source);
   auto saliency = mesh.add_property_map<Surface_mesh::Face_index, double>("f:saliency", 0).first;
   auto panel = mesh.add_property_map<Surface_mesh::Face_index, int>("f:panel").first;
-  std::vector<char> upper;
+  std::vector<std::array<int, 3>> triangles[2];
   for (auto f : mesh.faces()) {
     double z = 0;
     for (auto v : vertices_around_face(mesh.halfedge(f), mesh)) z += mesh.point(v).z();
-    upper.push_back(z > 0);
     saliency[f] = z > 0;
+    triangles[z > 0].push_back(source.triangles[std::size_t(f)]);
   }
-  CGAL::multiplanar_approximation(mesh, panel, fast(30).face_saliency_map(saliency).saliency_weight(40.0));
-  std::set<int> above, below;
-  for (auto f : mesh.faces()) (upper[f] ? above : below).insert(panel[f]);
-  EXPECT_GT(above.size(), below.size());
+  const auto np = fast(k);
+  const auto result =
+      weight < 0 ? CGAL::multiplanar_approximation(mesh, panel, np)
+                 : CGAL::multiplanar_approximation(mesh, panel, np.face_saliency_map(saliency).saliency_weight(weight));
+  std::vector<int> height(result.complex.number_of_panels(), 0);
+  for (auto f : mesh.faces()) height[panel[f]] += saliency[f] > 0 ? 1 : -1;
+  Halves halves;
+  for (int h : height) ++(h > 0 ? halves.panels_above : halves.panels_below);
+  halves.distance_above = mean_distance(source.points, triangles[1], result.points, source.triangles);
+  halves.distance_below = mean_distance(source.points, triangles[0], result.points, source.triangles);
+  return halves;
+}
+
+TEST(Approximation, panels_go_where_the_saliency_is)
+{
+  const Halves plain = halves_of_a_sphere(30, -1), none = halves_of_a_sphere(30, 0), much = halves_of_a_sphere(30, 8);
+  EXPECT_EQ(none.panels_above, plain.panels_above); // W = 0 changes nothing at all
+  EXPECT_EQ(none.distance_above, plain.distance_above);
+  EXPECT_NEAR(plain.panels_above / plain.panels_below, 1, 0.35);
+  // 1 + W/4 = 3 where the search is long; here panels move one at a time, which ends within a factor of 2 of that (two
+  // panels cost as much more when merged as what is saved where one of twice their weight is split).
+  EXPECT_GT(much.panels_above / much.panels_below, 1.5);
+  EXPECT_LT(much.distance_above, 0.8 * plain.distance_above);
+  EXPECT_GT(much.distance_below, 1.2 * plain.distance_below);
+}
+
+TEST(Approximation, labellings_are_logged_and_expansions_never_raise_the_energy)
+{
+  struct Log : Approximation_visitor
+  {
+    std::vector<Labelling_record> records;
+    void labelled(const Labelling_record& record) override { records.push_back(record); }
+  } log;
+  const auto source = Multiplanar_test::bumpy_sphere(10, 0.25);
+  const Outcome run = approximated(source, fast(20).visitor(std::ref(log)));
+  ASSERT_EQ(log.records.size(), run.result.labellings.size());
+  ASSERT_EQ(log.records.size(), 10u); // from the seeds, eight passes' own, and the frozen one
+  for (std::size_t i = 0; i < log.records.size(); ++i) {
+    const Labelling_record &r = log.records[i], &same = run.result.labellings[i];
+    EXPECT_EQ(r.pass, int(i) < 9 ? int(i) : 8);
+    EXPECT_EQ(r.frozen, i == 9);
+    EXPECT_EQ(r.restart, 0);
+    EXPECT_GT(r.before, 0);
+    EXPECT_LE(r.expanded, r.planes * (1 + 1e-12));
+    EXPECT_EQ(r.expanded < r.planes, r.expansions > 0);
+    EXPECT_GT(r.panels, 0);
+    EXPECT_LE(r.number_of_panels, 20);
+    EXPECT_EQ(r.panels, same.panels);
+    EXPECT_EQ(r.changed_faces, same.changed_faces);
+  }
+  EXPECT_EQ(log.records[0].before, log.records[0].planes); // the planes of the seeds
+  EXPECT_LT(log.records[0].expanded, log.records[0].before);
+}
+
+TEST(Approximation, restarts_are_logged_in_order_and_stop_together)
+{
+  struct Log : Approximation_visitor
+  {
+    std::vector<int> restarts;
+    double last = 0;
+    bool in_order = true;
+    int passes = 0, most_passes = 1 << 20;
+    void labelled(const Labelling_record& record) override { restarts.push_back(record.restart); }
+    void pass_done(int, const std::vector<Point_3>&, const std::vector<int>&) override { ++passes; }
+    bool progress(const std::string& stage, double fraction) override
+    {
+      if (stage != "approximate") return true;
+      in_order = in_order && last <= fraction && fraction <= 1;
+      last = fraction;
+      return passes < most_passes;
+    }
+  };
+  const auto source = Multiplanar_test::bumpy_sphere(6);
+  Log log;
+  const Outcome run =
+      approximated(source, fast(12).number_of_restarts(3).number_of_threads(2).visitor(std::ref(log)));
+  expect_promises(source, run, 12);
+  ASSERT_EQ(log.restarts.size(), 30u);
+  for (int i = 0; i < 30; ++i) EXPECT_EQ(log.restarts[i], i / 10);
+  EXPECT_TRUE(log.in_order);
+
+  Log impatient;
+  impatient.most_passes = 2;
+  const Outcome stopped =
+      approximated(source, fast(12).number_of_restarts(3).number_of_threads(1).visitor(std::ref(impatient)));
+  EXPECT_EQ(impatient.passes, 4); // two passes, and one of each run that begins after that
+  expect_promises(source, stopped, 12);
+}
+
+TEST(Approximation, changed_faces_do_not_depend_on_names)
+{
+  using internal::changed_faces;
+  EXPECT_EQ(changed_faces({0, 0, 1, 1, 2}, {2, 2, 0, 0, 1}), 0);
+  EXPECT_EQ(changed_faces({0, 0, 1, 1, 2}, {0, 0, 1, 2, 2}), 1);
+  EXPECT_EQ(changed_faces({0, 0, 0, 0}, {0, 0, 0, 1}), 1); // a split moves the smaller part,
+  EXPECT_EQ(changed_faces({0, 0, 0, 1}, {0, 0, 0, 0}), 1); // and so does a merger
 }
 
 /// A mesh of CGAL's own collection, from end to end.

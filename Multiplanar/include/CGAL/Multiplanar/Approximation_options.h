@@ -4,6 +4,7 @@
 #ifndef CGAL_MULTIPLANAR_APPROXIMATION_OPTIONS_H
 #define CGAL_MULTIPLANAR_APPROXIMATION_OPTIONS_H
 
+#include <CGAL/Multiplanar/Labelling_record.h>
 #include <CGAL/Multiplanar/Panel_complex.h>
 
 #include <cstdint>
@@ -51,6 +52,7 @@ struct Approximation_result
   double mean_distance = 0;
   double planarity_deviation = 0;  ///< largest distance of a vertex from its panel's plane
   std::map<std::string, double> seconds; ///< by stage
+  std::vector<Labelling_record> labellings; ///< what each labelling did to the energy, by restart and pass
   std::vector<std::string> notes;  ///< what a user should know: where accuracy was given up, early stops
 };
 
@@ -69,6 +71,8 @@ struct Approximation_visitor
   {
     (void)pass, (void)points, (void)labels;
   }
+  /// Called after every labelling; with several restarts when all of them are done, in order.
+  virtual void labelled(const Labelling_record& record) { (void)record; }
 };
 
 } // namespace Multiplanar

@@ -10,6 +10,7 @@
 #include <CGAL/Multiplanar/internal/Approximation_loop.h>
 #include <CGAL/Multiplanar/internal/embedding.h>
 #include <CGAL/Multiplanar/internal/finish.h>
+#include <CGAL/Multiplanar/internal/parallel_ranges.h>
 
 #include <algorithm>
 #include <atomic>
@@ -53,46 +54,79 @@ inline int thread_count(int wanted)
 struct Loop_outcome
 {
   Points points;
-  std::vector<std::vector<int>> labellings; ///< that can be flat: of the input's own shape, and of the final one
+  std::vector<std::vector<int>> partitions; ///< that can be flat: of the input's own shape, and of the final one
   int passes = 0;
   bool converged = false;
   std::map<std::string, double> seconds;
+  std::vector<Labelling_record> labellings;
 };
 
 inline Loop_outcome run_loop(const Connectivity& c, const Points& source, const Approximation_options& options,
-                             std::uint64_t seed, int threads, Approximation_visitor* visitor)
+                             std::uint64_t seed, int threads, Approximation_visitor& visitor)
 {
   Approximation_loop loop(c, source, options, seed, threads);
+  std::size_t told = 0;
+  const auto tell_labellings = [&] {
+    while (told < loop.labellings().size()) visitor.labelled(loop.labellings()[told++]);
+  };
   const std::vector<int> first_labels = loop.realisable_labels();
   for (bool more = true; more;) {
     more = loop.step();
-    if (!visitor) continue;
-    visitor->pass_done(loop.passes() - 1, loop.points(), loop.labels());
-    if (!visitor->progress("approximate", double(loop.passes()) / options.iterations)) more = false;
+    tell_labellings();
+    visitor.pass_done(loop.passes() - 1, loop.points(), loop.labels());
+    if (!visitor.progress("approximate", double(loop.passes()) / options.iterations)) more = false;
   }
   loop.finish_labels();
-  return {loop.points(), {first_labels, loop.labels()}, loop.passes(), loop.converged(), loop.seconds()};
+  tell_labellings();
+  return {loop.points(),    {first_labels, loop.labels()}, loop.passes(), loop.converged(), loop.seconds(),
+          loop.labellings()};
 }
 
-/// Runs the loop from `options.restarts` seeds, several at a time. Outcome r depends on `options.seed` and r alone.
+/// One of several runs at a time, as it is told to the visitor of all of them: only what the calling thread does is.
+struct Restart_visitor : Approximation_visitor
+{
+  Restart_visitor(Approximation_visitor* all, std::atomic<int>& done, std::atomic<bool>& stopped, int runs)
+      : all(all), done(done), stopped(stopped), runs(runs)
+  {
+  }
+  bool progress(const std::string& stage, double fraction) override
+  {
+    if (all && !all->progress(stage, (done + fraction) / runs)) stopped = true;
+    return !stopped;
+  }
+  void pass_done(int pass, const std::vector<Point_3>& points, const std::vector<int>& labels) override
+  {
+    if (all) all->pass_done(pass, points, labels);
+  }
+  Approximation_visitor* all; ///< null on other threads
+  std::atomic<int>& done;
+  std::atomic<bool>& stopped;
+  int runs;
+};
+
+/// Runs the loop from `options.restarts` seeds, several at a time. Outcome r depends on `options.seed` + r alone.
 inline std::vector<Loop_outcome> run_restarts(const Connectivity& c, const Points& source,
                                               const Approximation_options& options, Approximation_visitor& visitor)
 {
   const int threads = thread_count(options.threads), runs = options.restarts;
   std::vector<Loop_outcome> outcomes(runs);
   if (runs == 1) {
-    outcomes[0] = run_loop(c, source, options, options.seed, threads, &visitor);
+    outcomes[0] = run_loop(c, source, options, options.seed, threads, visitor);
     return outcomes;
   }
-  std::atomic<int> next(0);
-  const auto work = [&](Approximation_visitor* v) {
-    for (int r = next++; r < runs; r = next++)
-      outcomes[r] = run_loop(c, source, options, options.seed + std::uint64_t(r), 1, v);
-  };
-  std::vector<std::thread> others;
-  for (int t = 1; t < (std::min)(threads, runs); ++t) others.emplace_back(work, nullptr);
-  work(&visitor);
-  for (std::thread& t : others) t.join();
+  std::atomic<int> next(0), done(0);
+  std::atomic<bool> stopped(false);
+  const int parts = (std::min)(threads, runs);
+  parallel_ranges(parts, parts, [&](int part, int, int) { // a thread each, whose exceptions are passed on
+    Restart_visitor told(part == 0 ? &visitor : nullptr, done, stopped, runs);
+    for (int r = next++; r < runs; r = next++, ++done)
+      outcomes[r] = run_loop(c, source, options, options.seed + std::uint64_t(r), 1, told);
+  });
+  for (int r = 0; r < runs; ++r)
+    for (Labelling_record& record : outcomes[r].labellings) {
+      record.restart = r;
+      visitor.labelled(record);
+    }
   return outcomes;
 }
 
@@ -128,11 +162,15 @@ inline Approximation_result approximate(const Connectivity& c, const Points& sou
   for (const auto& stage : outcomes[0].seconds) result.seconds[stage.first] = stage.second;
   result.iterations = outcomes[0].passes;
   result.converged = outcomes[0].converged;
-  if (result.converged)
-    result.notes.push_back("nothing changed any more after pass " + std::to_string(result.iterations));
+  for (std::size_t r = 0; r < outcomes.size(); ++r)
+    if (outcomes[r].converged)
+      result.notes.push_back((outcomes.size() > 1 ? "restart " + std::to_string(r) + ": " : std::string()) +
+                             "nothing changed any more after pass " + std::to_string(outcomes[r].passes));
   std::vector<std::vector<int>> partitions;
-  for (const Loop_outcome& outcome : outcomes)
-    partitions.insert(partitions.end(), outcome.labellings.begin(), outcome.labellings.end());
+  for (const Loop_outcome& outcome : outcomes) {
+    partitions.insert(partitions.end(), outcome.partitions.begin(), outcome.partitions.end());
+    result.labellings.insert(result.labellings.end(), outcome.labellings.begin(), outcome.labellings.end());
+  }
   finish(c, source, partitions, options, visitor, result);
   measure(c, source, result);
   return result;

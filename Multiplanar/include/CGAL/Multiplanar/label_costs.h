@@ -67,7 +67,9 @@ public:
     face_data.reserve(connectivity.number_of_faces());
     for (int f = 0; f < connectivity.number_of_faces(); ++f) {
       face_data.push_back(make_face(f, points));
-      CGAL_precondition(saliency.empty() || saliency[f] >= 0);
+      if (saliency.empty()) continue;
+      CGAL_precondition(saliency[f] >= 0);
+      seed_weights.push_back(seed_density(f) * std::sqrt(seed_density(f)));
     }
     fill_columns();
   }
@@ -81,6 +83,11 @@ public:
   /// How dense labels should be seeded at a face, relative to a face with w_t = 0: 4 / (4 + w_t), in (0, 1]. That is
   /// what a boundary between faces of equal normals costs without saliency weights, against what it costs with (eq. 4).
   double seed_density(int face) const { return saliency.empty() ? 1 : 4 / (4 + saliency[face]); }
+
+  /// How often the cost of a face counts where it is decided which labels are wanted: seed_density^(3/2), 1 without
+  /// saliency weights. A label over the area A of a curved surface costs about A^(3/2) (eq. 2: the normals of its faces
+  /// differ by A^(1/2)), so labels whose weighted costs are equal are as dense as `seed_density` says.
+  double seed_weight(int face) const { return saliency.empty() ? 1 : seed_weights[face]; }
 
   /// The plane of face p: n_p, and d = c_p . n_p.
   Plane plane_of(int face) const
@@ -195,6 +202,7 @@ private:
   const internal::Connectivity* connectivity;
   Labelling_weights label_weights;
   std::vector<double> saliency; // w_t
+  std::vector<double> seed_weights;
   // The same numbers twice: by face, where one face meets one plane; by column, where one plane meets many faces.
   std::vector<Face> face_data;
   std::vector<double> areas;

@@ -49,9 +49,7 @@ inline int draw_index(const std::vector<double>& weights, std::mt19937_64& gener
 /// (D_p is a sum of lengths times an area, so it stands where the squared distance stands in k-means.)
 ///
 /// Saliency weights: eq. 4 can only move the boundaries of the labels that there are, so the seeds follow it too. All
-/// probabilities are multiplied by seed_density^(3/2), after which seeds come out about as dense as `seed_density`
-/// says: where they are n times denser, they leave faces n^(1/2) times nearer to a plane, which then are drawn less
-/// often.
+/// probabilities are multiplied by `seed_weight`, after which seeds come out about as dense as `seed_density` says.
 ///
 /// When no face costs anything any more - k is at least the number of faces, or the mesh has fewer than k different
 /// planes - faces are drawn as the first one was, so planes repeat. If all areas are zero, face 0 is drawn.
@@ -62,11 +60,8 @@ inline std::vector<int> seed_faces(const Label_costs& costs, int k, std::uint64_
   CGAL_precondition(k >= 0 && (k == 0 || costs.faces() > 0));
   std::mt19937_64 generator(seed);
   const int faces = costs.faces();
-  std::vector<double> factor(faces), first(faces), least(faces, (std::numeric_limits<double>::max)()), cost(faces);
-  for (int p = 0; p < faces; ++p) {
-    factor[p] = costs.seed_density(p) * std::sqrt(costs.seed_density(p));
-    first[p] = costs.area(p) * factor[p];
-  }
+  std::vector<double> first(faces), least(faces, (std::numeric_limits<double>::max)()), cost(faces);
+  for (int p = 0; p < faces; ++p) first[p] = costs.area(p) * costs.seed_weight(p);
   std::vector<int> drawn;
   while (int(drawn.size()) < k) {
     int face = drawn.empty() ? -1 : internal::draw_index(least, generator);
@@ -74,7 +69,7 @@ inline std::vector<int> seed_faces(const Label_costs& costs, int k, std::uint64_
     drawn.push_back(face);
     costs.data_costs(costs.plane_of(face), 0, faces, cost.data());
     cost[face] = 0; // not only up to rounding: a face is never drawn twice while others cost something
-    for (int p = 0; p < faces; ++p) least[p] = (std::min)(least[p], cost[p] * factor[p]);
+    for (int p = 0; p < faces; ++p) least[p] = (std::min)(least[p], cost[p] * costs.seed_weight(p));
   }
   return drawn;
 }

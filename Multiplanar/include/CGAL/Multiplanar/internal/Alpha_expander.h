@@ -49,9 +49,7 @@ public:
     apply(alpha, ones);
     current_energy -= fall;
     CGAL_assertion(fall > 0);
-#ifdef CGAL_MULTIPLANAR_CHECK_EXPENSIVE
     CGAL_assertion(std::abs(recomputed_energy() - current_energy) <= 1e-9 * (std::abs(current_energy) + fall));
-#endif
     return true;
   }
 

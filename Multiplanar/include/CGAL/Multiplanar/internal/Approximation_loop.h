@@ -6,6 +6,7 @@
 
 #include <CGAL/Multiplanar/Approximation_options.h>
 #include <CGAL/Multiplanar/Deformation_weights.h>
+#include <CGAL/Multiplanar/Labelling_record.h>
 #include <CGAL/Multiplanar/alpha_expansion.h>
 #include <CGAL/Multiplanar/label_costs.h>
 #include <CGAL/Multiplanar/panel_partition.h>
@@ -18,6 +19,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 #include <vector>
 
 // The paper's loop (section 3.1). A pass is
@@ -29,6 +32,24 @@
 namespace CGAL {
 namespace Multiplanar {
 namespace internal {
+
+/// How many faces have changed hands, whatever the labels are called: all but those that the best matches of labels
+/// before and labels now share, counted from the side where they are fewer. 0 exactly if both make the same pieces.
+inline int changed_faces(const std::vector<int>& before, const std::vector<int>& now)
+{
+  std::map<std::pair<int, int>, int> shared;
+  for (std::size_t f = 0; f < before.size(); ++f) ++shared[{before[f], now[f]}];
+  std::map<int, int> most_before, most_now;
+  for (const auto& s : shared) {
+    int &a = most_before[s.first.first], &b = most_now[s.first.second];
+    a = (std::max)(a, s.second);
+    b = (std::max)(b, s.second);
+  }
+  int kept_before = 0, kept_now = 0;
+  for (const auto& m : most_before) kept_before += m.second;
+  for (const auto& m : most_now) kept_now += m.second;
+  return int(before.size()) - (std::min)(kept_before, kept_now);
+}
 
 class Approximation_loop
 {
@@ -67,6 +88,8 @@ public:
   const std::map<std::string, double>& processor_seconds() const { return clock.processor_seconds(); }
   const Panel_partition_report& partition_report() const { return report; }
   std::size_t refused_moves() const { return refused; }
+  /// One for every labelling so far, the first from the seeds.
+  const std::vector<Labelling_record>& labellings() const { return records; }
 
   /// Labels that can be flat, whatever the pass.
   void finish_labels()
@@ -79,10 +102,8 @@ public:
   {
     const Points current = frame.to_unit(moved);
     const Label_costs costs(c, current, {}, w_t);
-    Panel_partition_options partition;
-    partition.max_panels = options.panels;
     std::vector<int> labels = face_labels;
-    make_panels(c, current, costs, labels, partition);
+    make_panels(c, current, costs, labels, partition_options(true));
     return labels;
   }
 
@@ -98,7 +119,7 @@ private:
     const Label_costs costs(c, rest, {}, w_t);
     planes = seed_planes(costs, options.panels, seed);
     face_labels = cheapest_labels(c.number_of_faces(), int(planes.size()), costs.data_cost(planes), threads);
-    relabel(costs, rest, false);
+    relabel(costs, rest);
   }
 
   /// \return whether any label changed
@@ -106,11 +127,8 @@ private:
   {
     const Stopwatch::Lap lap(clock, "segmentation");
     const Points current = frame.to_unit(moved);
-    const Label_costs costs(c, current, {}, w_t);
-    estimate_planes(costs, face_labels, planes);
-    const std::vector<int> before = face_labels;
-    relabel(costs, current, false);
-    return face_labels != before;
+    relabel(Label_costs(c, current, {}, w_t), current);
+    return records.back().changed_faces > 0;
   }
 
   void freeze_labels()
@@ -118,25 +136,56 @@ private:
     const Stopwatch::Lap lap(clock, "segmentation");
     const Points current = frame.to_unit(moved);
     const Label_costs costs(c, current, {}, w_t);
-    make_panels_of(costs, current, true);
+    const Potts_graph graph = costs.potts_graph();
+    Labelling_record record;
+    record.frozen = true;
+    record.before = record.planes = record.expanded = potts_energy(graph, costs.data_cost(planes), face_labels);
+    make_panels_of(costs, current, graph, true, record);
   }
 
-  void relabel(const Label_costs& costs, const Points& current, bool realisable)
+  /// New planes for the labels (but for those of the seeds), new labels for the planes, panels from the labels.
+  void relabel(const Label_costs& costs, const Points& current)
   {
+    const Potts_graph graph = costs.potts_graph();
+    Labelling_record record;
+    record.before = potts_energy(graph, costs.data_cost(planes), face_labels);
+    if (!records.empty()) estimate_planes(costs, face_labels, planes);
+    const Plane_costs cost = costs.data_cost(planes);
+    record.planes = potts_energy(graph, cost, face_labels);
+    const std::vector<int> before = face_labels;
     Alpha_expansion_options expansion;
     expansion.threads = threads;
-    alpha_expansion(costs.potts_graph(), int(planes.size()), costs.data_cost(planes), face_labels, expansion);
-    make_panels_of(costs, current, realisable);
+    const Alpha_expansion_result result = alpha_expansion(graph, int(planes.size()), cost, face_labels, expansion);
+    record.expanded = result.energy;
+    record.sweeps = result.sweeps;
+    record.expansions = result.expansions;
+    CGAL_assertion(record.expanded <= record.planes * (1 + 1e-12));
+    make_panels_of(costs, current, graph, false, record);
+    records.back().changed_faces = changed_faces(before, face_labels);
   }
 
-  void make_panels_of(const Label_costs& costs, const Points& current, bool realisable)
+  Panel_partition_options partition_options(bool realisable) const
   {
     Panel_partition_options partition;
     partition.max_panels = options.panels;
     partition.realisable = realisable;
-    report = make_panels(c, current, costs, face_labels, partition);
+    // Planes estimated again and again spread evenly, whatever the saliency, unless panels move back where it is high.
+    if (std::any_of(w_t.begin(), w_t.end(), [](double w) { return w > 0; })) partition.max_teleports = options.panels;
+    return partition;
+  }
+
+  void make_panels_of(const Label_costs& costs, const Points& current, const Potts_graph& graph, bool realisable,
+                      Labelling_record record)
+  {
+    report = make_panels(c, current, costs, face_labels, partition_options(realisable));
     planes.assign(report.panels, Plane());
     estimate_planes(costs, face_labels, planes);
+    record.panels = potts_energy(graph, costs.data_cost(planes), face_labels);
+    record.pass = records.empty() ? 0 : pass + 1;
+    record.merges = report.merges;
+    record.splits = report.splits;
+    record.number_of_panels = report.panels;
+    records.push_back(record);
   }
 
   /// \return the largest displacement, as a share of the diagonal
@@ -190,6 +239,7 @@ private:
   std::vector<int> face_labels;
   std::vector<Plane> planes;
   Panel_partition_report report;
+  std::vector<Labelling_record> records;
   int pass = 0;
   int still_passes = 0;
   std::size_t refused = 0;

@@ -170,6 +170,7 @@ private:
     return Topology_tracer(c, labels, n).trace(t, vertices) ? n : 0;
   }
 
+public:
   /// A repaired model of a partition with accuracy steps. \return false if it cannot be made realisable
   bool start_model(const Label_costs& costs, std::vector<int> labels, Panel_model& m) const
   {
@@ -194,6 +195,7 @@ private:
     return true;
   }
 
+private:
   /// Chains of improvements and kicks; in the end the best is first.
   void search(std::vector<Panel_model>& models)
   {

@@ -154,7 +154,10 @@ inline void finish(const Connectivity& c, const Points& source, const std::vecto
   flat_options.seed = options.seed;
   const Unit_frame frame(source);
   const Points unit = frame.to_unit(source);
-  const Label_costs costs(c, unit);
+  const Label_costs costs(c, unit, {}, saliency_weights(options.saliency, options.saliency_weight));
+  // Panels n times as dense are about n times closer to a curved surface: distances that count so much more are even.
+  for (int f = 0; !options.saliency.empty() && f < costs.faces(); ++f)
+    flat_options.importance.push_back(costs.seed_density(f));
 
   Flat_panels_result flat;
   std::unique_ptr<Panel_mapping> mapping;

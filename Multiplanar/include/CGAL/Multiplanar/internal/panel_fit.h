@@ -53,7 +53,8 @@ inline double faces_cost(const Label_costs& costs, const std::vector<int>& faces
 }
 
 /// The planes and costs of panels, refitted when a panel has changed by more than a tenth of its faces since: they
-/// guide choices, and a few faces more or less do not matter.
+/// guide choices, and a few faces more or less do not matter. Here a face counts `seed_weight` times, so that panels
+/// are merged where saliency is low and split where it is high.
 class Panel_fits
 {
 public:
@@ -63,6 +64,8 @@ public:
   Plane plane(int p) { return fit(p).plane; }
   Plane_sums sums(int p) { return fit(p).sums; }
   double cost(int p) { return fit(p).cost; }
+  /// Faces counted `seed_weight` times, as in the costs.
+  double weighted_area(int p) { return fit(p).area; }
 
   /// C(P and Q together) - C(P) - C(Q).
   double merge_cost(int p, int q)
@@ -70,8 +73,7 @@ public:
     Plane_sums sums = this->sums(p);
     add_sums(sums, this->sums(q), *label_costs);
     const Plane plane = fitted_plane(*label_costs, sums);
-    return faces_cost(*label_costs, panels->faces(p), plane) + faces_cost(*label_costs, panels->faces(q), plane) -
-           cost(p) - cost(q);
+    return weighted_cost(p, plane) + weighted_cost(q, plane) - cost(p) - cost(q);
   }
 
   /// The data cost of all panels, each one that changed at all refitted.
@@ -88,9 +90,16 @@ private:
   {
     Plane plane;
     Plane_sums sums;
-    double cost = 0;
+    double cost = 0, area = 0;
     std::int64_t changes = -1;
   };
+
+  double weighted_cost(int p, const Plane& plane) const
+  {
+    double sum = 0;
+    for (int f : panels->faces(p)) sum += label_costs->seed_weight(f) * label_costs->data_cost(f, plane);
+    return sum;
+  }
 
   /// \param tolerance the share of a panel's faces that may have changed since the last fit
   Fit& fit(int p, double tolerance = 0.1)
@@ -100,7 +109,9 @@ private:
     if (fit.changes < 0 || double(panels->changes(p) - fit.changes) > tolerance * double(panels->faces(p).size())) {
       fit.sums = plane_sums(*label_costs, panels->faces(p));
       fit.plane = fitted_plane(*label_costs, fit.sums);
-      fit.cost = faces_cost(*label_costs, panels->faces(p), fit.plane);
+      fit.cost = weighted_cost(p, fit.plane);
+      fit.area = 0;
+      for (int f : panels->faces(p)) fit.area += label_costs->seed_weight(f) * label_costs->area(f);
       fit.changes = panels->changes(p);
     }
     return fit;

@@ -57,7 +57,7 @@ inline int merge_flush_panels(Panel_work& work)
   Merge_queue queue(work.panels, work.fits);
   Merge_queue::Pair pair;
   while (queue.pop(pair)) {
-    const double area = (std::min)(panel_area(work, pair.p), panel_area(work, pair.q));
+    const double area = (std::min)(work.fits.weighted_area(pair.p), work.fits.weighted_area(pair.q));
     if (pair.cost > least_angle * area || !merge_soundly(work, pair.p, pair.q)) continue;
     queue.update(pair.p);
     queue.update(pair.q);

@@ -140,7 +140,7 @@ constexpr double least_angle = 1e-3;
 inline bool is_worth_splitting(Panel_work& work, int p, int q, double cost_before)
 {
   const double gain = (std::min)(cost_before - work.fits.cost(p) - work.fits.cost(q), work.fits.merge_cost(p, q));
-  return gain > least_angle * (std::min)(work.fits.sums(p).area, work.fits.sums(q).area);
+  return gain > least_angle * (std::min)(work.fits.weighted_area(p), work.fits.weighted_area(q));
 }
 
 /// Splits a sound panel in two so that both are sound, as its planes suggest, or else across its length.

@@ -48,6 +48,7 @@ struct Report
   Input_counts input;
   std::optional<Accuracy> accuracy;                    ///< none if only parts were made
   std::vector<std::pair<std::string, double>> seconds; ///< by stage, in order
+  std::vector<Labelling_record> labellings;            ///< of the approximation, by restart and pass
   std::vector<std::string> warnings;
 };
 
@@ -98,6 +99,24 @@ inline Json json_accuracy(const Accuracy& a, double diagonal)
   return json;
 }
 
+/// What one labelling did to the energy of eq. 1.
+inline Json json_labelling(const Labelling_record& r)
+{
+  return {{"restart", r.restart},
+          {"pass", r.pass},
+          {"frozen", r.frozen},
+          {"energy_before", r.before},
+          {"energy_after_planes", r.planes},
+          {"energy_after_expansions", r.expanded},
+          {"energy_after_panels", r.panels},
+          {"sweeps", r.sweeps},
+          {"expansions", r.expansions},
+          {"merges", r.merges},
+          {"splits", r.splits},
+          {"panels", r.number_of_panels},
+          {"changed_faces", r.changed_faces}};
+}
+
 /// How many edges have each kind of joint, what share of their length is joined, and the unjoined ones by reason.
 inline Json json_joints(const Model& model)
 {
@@ -118,7 +137,8 @@ inline Json json_joints(const Model& model)
 /*!
 \ingroup PkgMultiplanarIO
 
-Writes what a run did as `report.json`: versions, settings, counts, seconds, accuracy, joints, parts, sheets, warnings.
+Writes what a run did as `report.json`: versions, settings, counts, seconds, accuracy, what each labelling did to the
+energy, joints, parts, sheets, warnings.
 The caller checks the state of `out` afterwards.
 */
 inline void write_report_json(std::ostream& out, const Report& report, const Model& model)
@@ -140,6 +160,10 @@ inline void write_report_json(std::ostream& out, const Report& report, const Mod
   json["corners"] = model.complex.number_of_corners();
   json["edges"] = model.complex.number_of_edges();
   if (report.accuracy) json["accuracy"] = json_accuracy(*report.accuracy, report.input.diagonal);
+  if (report.accuracy) {
+    json["labellings"] = Json::array();
+    for (const Labelling_record& record : report.labellings) json["labellings"].push_back(json_labelling(record));
+  }
   json["joints"] = json_joints(model);
   json["parts"] = model.parts.size();
   json["sheets"] = model.sheets.size();
