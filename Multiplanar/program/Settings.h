@@ -24,6 +24,8 @@ struct Settings
   std::string input, output;
   std::string saliency_file; ///< empty: none
   CGAL::Multiplanar::Approximation_options approximation;
+  double min_edge = -1;  ///< mm on the finished model; negative: half the thickness
+  double min_width = -1; ///< mm on the finished model; negative: the thickness
   CGAL::Multiplanar::Model_settings model;
   CGAL::Multiplanar::Sheet_options sheet;
   CGAL::Multiplanar::Joint_mode joints = CGAL::Multiplanar::Joint_mode(); ///< automatic

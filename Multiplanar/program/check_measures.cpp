@@ -63,6 +63,8 @@ void check_measures(const Settings& s)
   require_count("--iterations", s.approximation.iterations, 1, 100000);
   require_count("--restarts", s.approximation.restarts, 1, 100000);
   require_count("--threads", s.approximation.threads, 0, 1024);
+  if (s.min_edge != -1) require_measure("--min-edge", s.min_edge, 0, s.model.size / 4);
+  if (s.min_width != -1) require_measure("--min-width", s.min_width, 0, s.model.size / 4);
   require_weight("--smoothness", s.approximation.smoothness);
   require_weight("--saliency-weight", s.approximation.saliency_weight);
 }

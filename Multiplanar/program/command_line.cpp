@@ -52,15 +52,26 @@ void add_approximation_options(CLI::App& app, Settings& s, Raw_values& raw)
   app.add_option("--effort", raw.effort, "fast, normal or best (normal)")->type_name("NAME");
   app.add_option("--iterations", a.iterations, "passes of the main loop (50)")->type_name("N");
   app.add_option("--seed", raw.seed, "of all random choices (0)")->type_name("N");
-  app.add_option("--restarts", a.restarts, "seeds tried; kept is the one whose panels are closest, both ways (1)")->type_name("N");
+  app.add_option("--restarts", a.restarts, "seeds tried; kept is the one whose panels are closest, both ways (1)")
+      ->type_name("N");
   app.add_option("--saliency", s.saliency_file, "where more panels are wanted: a value 0..1 a face, text or PLY")
       ->type_name("FILE");
-  app.add_option("--saliency-weight", a.saliency_weight, "W: 1 + W/4 times the panels where saliency is 1 (1)")->type_name("W");
+  app.add_option("--saliency-weight", a.saliency_weight, "W: 1 + W/4 times the panels where saliency is 1 (1)")
+      ->type_name("W");
   app.add_option("--smoothness", a.smoothness, "weight of the smoothness term (0)")->type_name("W");
+  app.add_option("--min-edge", s.min_edge, "shorter edges of panels are removed (half the thickness)")->type_name("MM");
+  app.add_option("--min-width", s.min_width, "narrower panels are merged (the thickness)")->type_name("MM");
   app.add_option("--solver", raw.solver, "auto, ceres or direct (auto)")->type_name("NAME");
   for (const char* name : {"--panels", "--effort", "--iterations", "--seed", "--restarts", "--saliency",
-                           "--saliency-weight", "--smoothness", "--solver"})
+                           "--saliency-weight", "--smoothness", "--min-edge", "--min-width", "--solver"})
     app.get_option(name)->group("Shape");
+}
+
+/// What --min-edge and --min-width are measured on, where nothing is cut.
+void add_measures(CLI::App& app, Settings& s)
+{
+  app.add_option("--size", s.model.size, "longest side of the finished model (300)")->type_name("MM")->group("Cutting");
+  app.add_option("--thickness", s.model.thickness, "of the material (3)")->type_name("MM")->group("Cutting");
 }
 
 void add_fabrication_options(CLI::App& app, Settings& s, Raw_values& raw)
@@ -180,6 +191,7 @@ std::optional<Settings> parse_command_line(int argc, char** argv)
   CLI::App* approximate = app.add_subcommand("approximate", "the mesh made of flat panels only, as PLY");
   add_files(*approximate, s, "mesh: OFF, PLY, STL or OBJ", "PLY file to write");
   add_approximation_options(*approximate, s, raw);
+  add_measures(*approximate, s);
   CLI::App* fabricate = app.add_subcommand("fabricate", "from such a PLY to sheets ready to cut");
   add_files(*fabricate, s, "PLY that approximate or make wrote", "folder to write");
   add_fabrication_options(*fabricate, s, raw);

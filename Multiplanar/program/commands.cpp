@@ -14,10 +14,12 @@
 
 #include <CGAL/Multiplanar/io/write_shell_ply.h>
 #include <CGAL/Multiplanar/make_panel_complex.h>
+#include <CGAL/Bbox_3.h>
 #include <CGAL/version.h>
 
 #include <ceres/version.h>
 
+#include <algorithm>
 #include <chrono>
 
 using namespace CGAL::Multiplanar;
@@ -57,6 +59,7 @@ public:
     Approximation_options options = settings.approximation;
     check_number_of_panels(mesh, options.panels);
     if (!settings.saliency_file.empty()) options.saliency = read_saliency(settings.saliency_file, mesh);
+    set_smallest_measures(mesh, options);
     report.options = options;
     Approximation_result result = run_approximation(mesh, options, progress);
     report.accuracy = accuracy_of(result);
@@ -102,6 +105,18 @@ public:
   std::string first_sheet() const { return settings.output + "/" + sheet_file(0, "svg"); }
 
 private:
+  /// Shortest edge and smallest width in the units of the mesh.
+  void set_smallest_measures(const Input_mesh& mesh, Approximation_options& options) const
+  {
+    const CGAL::Bbox_3 box = CGAL::bbox_3(mesh.points.begin(), mesh.points.end());
+    const double longest = (std::max)({box.x_span(), box.y_span(), box.z_span()});
+    const double units_per_mm = longest / settings.model.size;
+    const double edge = settings.min_edge >= 0 ? settings.min_edge : settings.model.thickness / 2;
+    const double width = settings.min_width >= 0 ? settings.min_width : settings.model.thickness;
+    options.min_edge = (std::max)(edge * units_per_mm, 1e-9 * mesh.diagonal); // 0 would mean the library's default
+    options.min_width = (std::max)(width * units_per_mm, 1e-9 * mesh.diagonal);
+  }
+
   void warn(const std::vector<std::string>& lines)
   {
     report.warnings.insert(report.warnings.end(), lines.begin(), lines.end());

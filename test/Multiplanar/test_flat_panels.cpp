@@ -571,12 +571,35 @@ TEST(Flat_panels, SearchingLowersTheDistance)
   EXPECT_LT(normal.hausdorff, fast.hausdorff);
 }
 
+TEST(Flat_panels, WhatIsTooSmallToCutIsRemovedOrReported)
+{
+  const Mesh mesh = bumpy_sphere(12, 0.2);
+  const auto c = make_connectivity(mesh.triangles, int(mesh.points.size()));
+  const double diagonal = bounding_box_diagonal(as_vecs(mesh.points));
+  Flat_panels_options options;
+  options.max_panels = 30;
+  options.effort = Effort::fast;
+  int before = 0;
+  for (const double least : {0.0, 0.05}) {
+    options.min_edge = options.min_width = least;
+    const auto r = flat_panels(c, mesh.points, {}, options);
+    expect_promises(c, mesh.points, r, 30);
+    int shorter = 0;
+    for (int e = 0; e < r.complex.number_of_edges(); ++e)
+      shorter += std::sqrt(r.complex.edge_vector(e).squared_length()) < 0.05 * diagonal;
+    if (least == 0) before = shorter;
+    else EXPECT_TRUE(shorter == 0 || !r.notes.empty()) << shorter;
+    if (least > 0) EXPECT_LT(shorter, before);
+  }
+  EXPECT_GT(before, 0);
+}
+
 TEST(Flat_panels, IsTheSameWithAnyNumberOfThreads)
 {
-  const Mesh mesh = bumpy_sphere(6, 0.2);
+  const Mesh mesh = bumpy_sphere(5, 0.2);
   const auto c = make_connectivity(mesh.triangles, int(mesh.points.size()));
   Flat_panels_options options;
-  options.max_panels = 16;
+  options.max_panels = 10;
   options.work = 0.02;
   std::vector<Points> corners;
   for (int threads : {1, 2, 3}) {

@@ -51,6 +51,12 @@ with holes, and all of them together are again a closed surface of the same genu
     \cgalParamType{a model of `ReadablePropertyMap` from faces to `double`} \cgalParamDefault{none} \cgalParamNEnd
   \cgalParamNBegin{saliency_weight} \cgalParamDescription{W of w_t = W (1 - s) in eq. 4}
     \cgalParamType{`double`} \cgalParamDefault{1} \cgalParamNEnd
+  \cgalParamNBegin{minimum_edge_length} \cgalParamDescription{edges of panels shorter than this are removed, as far as
+    the panels can be flat without}
+    \cgalParamType{`double`, in units of the mesh} \cgalParamDefault{0.002 of the bounding-box diagonal} \cgalParamNEnd
+  \cgalParamNBegin{minimum_panel_width} \cgalParamDescription{panels narrower than this are merged with a neighbour, as
+    far as the panels can be flat then}
+    \cgalParamType{`double`, in units of the mesh} \cgalParamDefault{0.002 of the bounding-box diagonal} \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map} \cgalParamDescription{the points of the vertices}
     \cgalParamType{a model of `ReadWritePropertyMap` from vertices to 3D points with `double` coordinates}
     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`} \cgalParamNEnd

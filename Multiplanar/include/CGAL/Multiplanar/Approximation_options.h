@@ -35,6 +35,8 @@ struct Approximation_options
   double smoothness = 0;          ///< weight of eq. 9
   std::vector<double> saliency;   ///< s in 0..1 per face, empty: none
   double saliency_weight = 1;     ///< W of w_t = W (1 - s)
+  double min_edge = 0;  ///< edges of panels shorter than this, in input units, are removed; 0: 0.002 diagonals
+  double min_width = 0; ///< panels narrower than this are merged; 0: 0.002 diagonals
 };
 
 /// What came out of an approximation, in the input's units.

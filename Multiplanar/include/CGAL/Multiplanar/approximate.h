@@ -40,6 +40,8 @@ inline void check_options(const Connectivity& c, const Points& source, const App
   if (options.restarts < 1) throw std::invalid_argument("at least one restart is needed");
   if (options.threads < 0) throw std::invalid_argument("the number of threads must not be negative");
   if (!(options.smoothness >= 0)) throw std::invalid_argument("the smoothness weight must be a number >= 0");
+  if (!(options.min_edge >= 0) || !(options.min_width >= 0))
+    throw std::invalid_argument("the shortest edge and the smallest width must be numbers >= 0");
   if (!options.saliency.empty() && options.saliency.size() != std::size_t(c.number_of_faces()))
     throw std::invalid_argument("the saliency has " + std::to_string(options.saliency.size()) +
                                 " values, but the mesh has " + std::to_string(c.number_of_faces()) + " faces");

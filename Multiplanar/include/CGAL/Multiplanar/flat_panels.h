@@ -183,6 +183,8 @@ inline Flat_panels_result flat_panels(const internal::Connectivity& c, const Poi
   }
   result = internal::result_of(c, source, input, model);
   if (obstacles) internal::Panel_rework(c, source, input, search, obstacles).run(model, result);
+  if (model.offences > 0)
+    search.notes.push_back(std::to_string(model.offences) + " edges or panels are smaller than wanted");
   if (result.ok) internal::measure_panels(c, source, input.scale, result);
   result.notes = search.notes;
   return result;

@@ -254,7 +254,6 @@ private:
     t.local_options = local_accuracy();
     while (m.offences > 0 && t.tidy_once(m)) {
     }
-    if (m.offences > 0) notes.push_back(std::to_string(m.offences) + " edges or panels are smaller than wanted");
   }
 
   /// Chords are mended, so that the mesh can follow; the model is adapted where that changed corners.

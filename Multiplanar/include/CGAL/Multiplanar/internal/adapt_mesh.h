@@ -75,6 +75,8 @@ Approximation_options approximation_options(const TriangleMesh& mesh, const Name
   o.smoothness = choose_parameter(get_parameter(np, ours::smoothness_weight), o.smoothness);
   o.saliency = read_saliency(mesh, get_parameter(np, ours::face_saliency_map));
   o.saliency_weight = choose_parameter(get_parameter(np, ours::saliency_weight), o.saliency_weight);
+  o.min_edge = choose_parameter(get_parameter(np, ours::minimum_edge_length), o.min_edge);
+  o.min_width = choose_parameter(get_parameter(np, ours::minimum_panel_width), o.min_width);
   return o;
 }
 

@@ -153,6 +153,8 @@ inline void finish(const Connectivity& c, const Points& source, const std::vecto
   flat_options.threads = options.threads;
   flat_options.seed = options.seed;
   const Unit_frame frame(source);
+  if (options.min_edge > 0) flat_options.min_edge = options.min_edge / frame.diagonal();
+  if (options.min_width > 0) flat_options.min_width = options.min_width / frame.diagonal();
   const Points unit = frame.to_unit(source);
   const Label_costs costs(c, unit, {}, saliency_weights(options.saliency, options.saliency_weight));
   // Panels n times as dense are about n times closer to a curved surface: distances that count so much more are even.

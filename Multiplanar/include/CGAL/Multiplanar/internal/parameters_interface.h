@@ -12,5 +12,7 @@ CGAL_add_named_parameter(deformation_solver_t, deformation_solver, deformation_s
 CGAL_add_named_parameter(smoothness_weight_t, smoothness_weight, smoothness_weight)
 CGAL_add_named_parameter(face_saliency_map_t, face_saliency_map, face_saliency_map)
 CGAL_add_named_parameter(saliency_weight_t, saliency_weight, saliency_weight)
+CGAL_add_named_parameter(minimum_edge_length_t, minimum_edge_length, minimum_edge_length)
+CGAL_add_named_parameter(minimum_panel_width_t, minimum_panel_width, minimum_panel_width)
 CGAL_add_named_parameter(panel_complex_t, panel_complex, panel_complex)
 CGAL_add_named_parameter(approximation_result_t, approximation_result, approximation_result)

@@ -74,6 +74,8 @@ inline Json json_approximation_settings(const Approximation_options& o)
           {"threads", o.threads},
           {"solver", to_string(o.solver)},
           {"smoothness", o.smoothness},
+          {"minEdge", o.min_edge},
+          {"minWidth", o.min_width},
           {"saliency", !o.saliency.empty()},
           {"saliency_weight", o.saliency_weight}};
 }
