@@ -38,7 +38,9 @@ int main()
   options.thickness = plywood.thickness;
   MP::Joined_parts model = MP::make_joined_parts(complex, options);
 
+  int unjoined = 0;
   for (int e = 0; e < complex.number_of_edges(); ++e) {
+    unjoined += model.joints[e].kind == MP::Edge_joint::Kind::none;
     std::cout << MP::edge_id(complex, e) << "  " << complex.dihedral(e)
               << " degrees: " << to_string(model.joints[e].kind);
     for (const std::string& id : model.joints[e].parts) std::cout << ' ' << id;
@@ -63,5 +65,5 @@ int main()
     }
     std::cout << file << ": " << sheets[i].placements.size() << " parts\n";
   }
-  return 0;
+  return unjoined == 0 ? 0 : 1;
 }

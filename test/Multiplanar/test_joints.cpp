@@ -51,6 +51,18 @@ TEST(Joints, sound_on_random_polyhedra)
   EXPECT_EQ(count[2], 0);
 }
 
+/// Panels hardly larger than a few slots: connectors are in each other's way, move aside, or leave an edge to teeth.
+TEST(Joints, sound_where_there_is_hardly_room)
+{
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE(seed);
+    const auto complex = random_convex(30, 45, seed);
+    const auto count = expect_sound(complex, make_joined_parts(complex, options_for(Joint_mode::automatic)));
+    EXPECT_GT(count[0], 0);
+    EXPECT_GT(count[1], 0);
+  }
+}
+
 /// An hourglass: its top and bottom fall apart at the neck.
 TEST(Joints, ids_of_pieces)
 {
