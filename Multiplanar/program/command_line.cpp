@@ -7,6 +7,7 @@
 #include "number_parsing.h"
 
 #include <CGAL/Multiplanar/Joint_options.h>
+#include <CGAL/Multiplanar/Material.h>
 
 #include <CLI/CLI.hpp>
 
@@ -26,8 +27,7 @@ using CGAL::Multiplanar::Joint_mode;
 using CGAL::Multiplanar::Solver;
 
 /// Options and commands of the documented interface that cannot do their work yet.
-const std::vector<std::string> missing_options = {"--material", "--palette", "--dpi",
-                                                  "--repair",   "--preview", "--source"};
+const std::vector<std::string> missing_options = {"--palette", "--dpi", "--repair", "--preview", "--source"};
 const std::map<std::string, std::string> missing_commands = {
     {"compare", "compare with other methods (not available yet)"},
     {"preview", "pictures of a written model (not available yet)"}};
@@ -36,6 +36,7 @@ const std::map<std::string, std::string> missing_commands = {
 struct Raw_values
 {
   std::string seed = "0", effort = "normal", solver = "auto", sheet = "600x400", joints = "auto", engrave = "inside";
+  std::string material; ///< empty: none
   bool quiet = false, json_progress = false;
 };
 
@@ -77,13 +78,15 @@ void add_measures(CLI::App& app, Settings& s)
 void add_fabrication_options(CLI::App& app, Settings& s, Raw_values& raw)
 {
   app.add_option("--size", s.model.size, "longest side of the finished model (300)")->type_name("MM");
+  app.add_option("--material", raw.material, "sets thickness, kerf and fit: see --list-materials")->type_name("NAME");
   app.add_option("--thickness", s.model.thickness, "of the material (3)")->type_name("MM");
   app.add_option("--kerf", s.model.kerf, "full width of the cut (0.15)")->type_name("MM");
   app.add_option("--fit", s.model.fit, "how much wider than its slot a tab is cut (0.05)")->type_name("MM");
   app.add_option("--sheet", raw.sheet, "size of the material (600x400)")->type_name("WxH");
   app.add_option("--joints", raw.joints, "auto, connectors, teeth or none (auto)")->type_name("NAME");
   app.add_option("--engrave", raw.engrave, "ids inside or outside of the model (inside)")->type_name("NAME");
-  for (const char* name : {"--size", "--thickness", "--kerf", "--fit", "--sheet", "--joints", "--engrave"})
+  for (const char* name :
+       {"--size", "--material", "--thickness", "--kerf", "--fit", "--sheet", "--joints", "--engrave"})
     app.get_option(name)->group("Cutting");
 }
 
@@ -138,6 +141,29 @@ std::uint64_t read_seed(const std::string& text)
   return std::uint64_t(seed);
 }
 
+std::string list_of_materials()
+{
+  std::string list = "material      thickness  kerf   fit   (mm; without a number: 3 mm stock)\n";
+  for (const CGAL::Multiplanar::Material& m : CGAL::Multiplanar::materials()) {
+    char line[80];
+    std::snprintf(line, sizeof line, "%-13s %9g  %.3f  %.2f\n", m.name, m.thickness, m.kerf, m.fit);
+    list += line;
+  }
+  list.pop_back();
+  return list;
+}
+
+/// The material's measures, but for those that were given one by one.
+void read_material(const CLI::App& command, const Raw_values& raw, Settings& s)
+{
+  if (raw.material.empty()) return;
+  const CGAL::Multiplanar::Material* material = CGAL::Multiplanar::find_material(raw.material);
+  if (!material) throw usage_error("--material " + quoted(raw.material) + ": see multiplanar --list-materials");
+  if (command.count("--thickness") == 0) s.model.thickness = material->thickness;
+  if (command.count("--kerf") == 0) s.model.kerf = material->kerf;
+  if (command.count("--fit") == 0) s.model.fit = material->fit;
+}
+
 void read_choices(const Raw_values& raw, Settings& s)
 {
   s.approximation.seed = read_seed(raw.seed);
@@ -181,6 +207,8 @@ std::optional<Settings> parse_command_line(int argc, char** argv)
   app.footer("Each command tells its options: multiplanar make --help\n"
              "Vertices and faces in messages count from 0, lines from 1.");
   app.set_version_flag("--version", "multiplanar " MULTIPLANAR_VERSION);
+  app.add_flag_callback(
+      "--list-materials", [] { throw CLI::CallForVersion(list_of_materials(), 0); }, "the presets for --material");
   app.require_subcommand(1);
   app.set_help_flag("-h,--help", "this text");
 
@@ -218,6 +246,7 @@ std::optional<Settings> parse_command_line(int argc, char** argv)
   s.command = command->get_name();
   read_sheet(raw.sheet, s);
   read_choices(raw, s);
+  read_material(*command, raw, s);
   copy_shared_values(s);
   check_measures(s);
   return s;

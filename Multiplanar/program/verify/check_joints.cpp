@@ -4,6 +4,8 @@
 #include "checks.h"
 #include "joint_geometry.h"
 
+#include <CGAL/centroid.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -117,11 +119,23 @@ void check_teeth(const Written_model& model, const Written_edge& edge, Report& r
                      " mm wide, less than the thickness");
 }
 
+/// Does a panel reach through the hole of another one's part? The middle of the hole, halfway through the sheet, tells.
+bool makes_way_for_a_panel(const Written_model& model, const Written_part& part, const Loop& hole)
+{
+  const Point_2 c = CGAL::centroid(hole.begin(), hole.end());
+  const Written_frame& f = part.frame;
+  const Point_3 middle = f.origin + c.x() * f.u + c.y() * f.v - model.thickness / 2 * f.normal;
+  return std::any_of(model.parts.begin(), model.parts.end(), [&](const Written_part& other) {
+    return &other != &part && other.is_panel && reaches(other, middle, model.thickness);
+  });
+}
+
 void check_empty_slots(const Written_model& model, const Used& used, Report& report)
 {
   for (const Written_part& part : model.parts)
     for (std::size_t h = 0; h < part.holes.size() && part.is_panel; ++h)
-      if (!used.slots.count({&part, h}) && is_slot(part.holes[h], model.thickness))
+      if (!used.slots.count({&part, h}) && is_slot(part.holes[h], model.thickness) &&
+          !makes_way_for_a_panel(model, part, part.holes[h]))
         report.violation("part " + part.id + " has a slot at " + shown(part.holes[h][0]) + " that holds no tab");
 }
 

@@ -170,6 +170,12 @@ Point_2 flat(const Written_part& part, const Point_3& p)
 
 } // namespace
 
+bool reaches(const Written_part& part, const Point_3& p, double thickness)
+{
+  const Point_3 q = in_frame(part.frame, p);
+  return q.z() >= 0 && q.z() <= thickness && has_material(part, Point_2(q.x(), q.y()));
+}
+
 std::vector<Owned> owners_along(const Joint_line& line, const std::vector<const Written_part*>& p,
                                 const std::vector<const Written_part*>& q)
 {

@@ -40,6 +40,9 @@ double play_in_hole(const Tab_section& section, const Loop& hole);
 /// or make way for a neighbour.
 bool is_slot(const Loop& hole, double thickness);
 
+/// Has the part material at a point of the model?
+bool reaches(const Written_part& part, const Point_3& p, double thickness);
+
 /// The line along an edge in the middle of where the slabs of its two panels overlap: half the thickness below either
 /// outer face. At every point of it, the one, the other or no panel has its material; whoever has it there owns the
 /// joint. The panels may overlap beyond the ends of the edge as well, so the line goes on.

@@ -30,8 +30,9 @@ struct Joint_options : Truncation_options
 {
   Joint_mode mode = Joint_mode::automatic;
   std::vector<Joint_mode> mode_of_edge; ///< overrides `mode` edge by edge unless empty
-  /// Sizes of connectors, tried in this order.
-  std::vector<Connector_size> sizes = {{2.5, 2}, {1.5, 1.5}, {1, 1}};
+  /// Sizes of connectors, tried in this order; those with tabs narrower than the sheet is thick are a last resort,
+  /// where teeth are impossible.
+  std::vector<Connector_size> sizes = {{2.5, 2}, {1.5, 1.5}, {1, 1}, {0.7, 0.8}};
   double spacing = 15;     ///< an edge has one connector for this many thicknesses of its length, and at least one
   int most_connectors = 4; ///< of one edge
   double clearance = 0.1;  ///< free space around a connector's body, in mm

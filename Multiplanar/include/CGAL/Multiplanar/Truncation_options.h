@@ -19,8 +19,10 @@ struct Truncation_options
   double thickness = 3; ///< of the sheet, in mm
   double approach =
       -1; ///< way in mm over which a panel must go on along its normal unhindered; negative: thickness + 1
-  double thinnest = 0.5; ///< pieces narrower than this (twice area over perimeter, mm) burn away: they are dropped
-  double smallest = -1;  ///< pieces of less area, in mm^2, are dropped; negative: thickness squared
+  /// Material narrower than this, in mm, burns away: it is taken off, and pieces of that width (twice area over
+  /// perimeter) are dropped; beside a larger piece, those under twice of it too, which break.
+  double thinnest = 0.5;
+  double smallest = -1; ///< pieces of less area, in mm^2, are dropped; negative: thickness squared
 
   double approach_length() const { return approach < 0 ? thickness + 1 : approach; }
   double smallest_area() const { return smallest < 0 ? thickness * thickness : smallest; }

@@ -7,6 +7,8 @@
 #include <CGAL/Multiplanar/joints.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -27,20 +29,43 @@ struct Joined_parts
 
 namespace internal {
 
-/// The run of vertices of an outline in a rectangle by an edge, if they are consecutive and at least four.
+/// The flanks of a tooth in an outline: the sides along the ends of its rectangle by the edge, at least half as long as
+/// it is deep. What other panels cut obliquely is no flank: nothing there has a gap to fit into.
+inline std::vector<int> tooth_flanks(const Outline& outline, const Edge_in_panel& edge, const Slot& tooth)
+{
+  const int n = int(outline.size());
+  const double tolerance = 2e-3;
+  const auto is_at = [&](const Point_2& p, double position) {
+    return std::abs(edge.position(p) - position) < tolerance && edge.distance(p) > tooth.near - tolerance &&
+           edge.distance(p) < tooth.far + tolerance;
+  };
+  std::vector<int> flanks;
+  for (int i = 0; i < n; ++i) {
+    const Point_2 &a = outline[i], &b = outline[(i + 1) % n];
+    if (std::abs(edge.distance(b) - edge.distance(a)) < (tooth.far - tooth.near) / 2) continue;
+    if ((is_at(a, tooth.from) && is_at(b, tooth.from)) || (is_at(a, tooth.to) && is_at(b, tooth.to)))
+      flanks.push_back(i);
+  }
+  return flanks;
+}
+
+/// Adds the run of outline vertices from the one flank of a tooth to the other, if it has two and all between them
+/// belongs to the tooth.
 inline void add_tab(const Outline& outline, const Edge_in_panel& edge, const Slot& tooth,
                     std::vector<std::array<int, 2>>& tabs)
 {
   const int n = int(outline.size());
-  const double tolerance = 2e-3;
-  const auto inside = [&](int i) {
-    return distance_to_slot(tooth, edge.position(outline[i % n]), edge.distance(outline[i % n])) < tolerance;
-  };
-  for (int i = 0; i < n; ++i) {
-    if (!inside(i) || inside(i + n - 1)) continue;
-    int j = i;
-    while (j + 1 < i + n && inside(j + 1)) ++j;
-    if (j - i >= 3) tabs.push_back({i, j % n});
+  const std::vector<int> flanks = tooth_flanks(outline, edge, tooth);
+  if (flanks.size() != 2) return;
+  for (int first = 0; first < 2; ++first) {
+    const int begin = flanks[first], end = (flanks[1 - first] + 1) % n;
+    bool inside = begin != end;
+    for (int i = begin; inside && i != end; i = (i + 1) % n)
+      inside = distance_to_slot(tooth, edge.position(outline[i]), edge.distance(outline[i])) < 2e-3;
+    const std::array<int, 2> tab{{begin, end}};
+    if (!inside || std::find(tabs.begin(), tabs.end(), tab) != tabs.end()) continue;
+    tabs.push_back(tab);
+    return;
   }
 }
 

@@ -32,17 +32,11 @@ inline Exact_loop flank_strip(const Outline& outline, int i, double growth)
   return exact_loop({a, a + outward, b + outward, b});
 }
 
-/// The flanks of a tab: its sides that run across rather than along the line from its first vertex to its last.
-inline std::vector<int> flanks_of_tab(const Outline& outline, const std::array<int, 2>& tab)
+/// The flanks of a tab: its first and its last side.
+inline std::array<int, 2> flanks_of_tab(const Outline& outline, const std::array<int, 2>& tab)
 {
   const int n = int(outline.size());
-  const Kernel::Vector_2 base = outline[tab[1]] - outline[tab[0]];
-  std::vector<int> flanks;
-  for (int i = tab[0]; i != tab[1]; i = (i + 1) % n) {
-    const Kernel::Vector_2 side = outline[(i + 1) % n] - outline[i];
-    if (std::abs(side.x() * base.y() - side.y() * base.x()) > std::abs(side * base)) flanks.push_back(i);
-  }
-  return flanks;
+  return {{tab[0], (tab[1] + n - 1) % n}};
 }
 
 } // namespace internal

@@ -8,6 +8,7 @@
 #include <CGAL/Multiplanar/internal/slot_room.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,9 @@ namespace internal {
 
 /// Places connectors edge by edge: the edges that have no other joint first (reflex ones, and those too flat for
 /// teeth), among equals those with the fewest places. Each takes the largest size that fits somewhere, as near as
-/// possible to where it should be; places are preferred where the connector can come with either panel. A second round
-/// adds connectors to long edges.
+/// possible to where it should be; places are preferred where the connector can come with either panel. Then connectors
+/// that stand in the way of an edge without one are moved along their own edges, if that makes room. A last round adds
+/// connectors to long edges.
 class Connector_placer
 {
 public:
@@ -39,7 +41,10 @@ public:
     std::vector<int> edges;
     for (int e = 0; e < int(views.size()); ++e)
       if (may_have_connectors(e)) edges.push_back(e);
-    for (int e : in_order_of_need(edges)) place_first(e);
+    const std::vector<int> by_need = in_order_of_need(edges);
+    for (int e : by_need) place_first(e);
+    for (int e : by_need)
+      if (!reasons[e].empty() && make_room(e)) reasons[e].clear();
     for (int e : edges)
       for (int i = 1; i < wanted(e) && reasons[e].empty(); ++i) place_near(e, target(e, i));
     std::stable_sort(placed.begin(), placed.end(), [](const Placed_connector& a, const Placed_connector& b) {
@@ -78,10 +83,20 @@ private:
            t() * std::sin(views[e].theta) >= options.shallowest_tooth;
   }
 
+  std::vector<Connector_size> sizes_for(int e) const
+  {
+    std::vector<Connector_size> sizes = options.sizes;
+    if (could_have_teeth(e))
+      sizes.erase(std::remove_if(sizes.begin(), sizes.end(), [](const Connector_size& s) { return s.tab_width < 1; }),
+                  sizes.end());
+    return sizes.empty() ? options.sizes : sizes;
+  }
+  Connector_size smallest_size(int e) const { return sizes_for(e).back(); }
+
   std::vector<int> in_order_of_need(std::vector<int> edges) const
   {
     std::vector<std::pair<bool, int>> need(views.size());
-    for (int e : edges) need[e] = {could_have_teeth(e), int(places_with_slots(e, options.sizes.back()).size())};
+    for (int e : edges) need[e] = {could_have_teeth(e), int(places_with_slots(e, smallest_size(e)).size())};
     std::stable_sort(edges.begin(), edges.end(), [&](int a, int b) { return need[a] < need[b]; });
     return edges;
   }
@@ -103,12 +118,15 @@ private:
     return {position, position + t(), p.slot_start, p.slot_end};
   }
 
-  /// The positions along edge `e`, a quarter of a thickness apart, where both slots have room.
+  /// Between positions that are tried.
+  double step() const { return t() / 8; }
+
+  /// The positions along edge `e`, an eighth of a thickness apart, where both slots have room.
   std::vector<double> places_with_slots(int e, const Connector_size& size) const
   {
     std::vector<double> places;
     const Connector_profile p = profile(e, size);
-    for (double x = 0; x + t() <= views[e].length; x += t() / 4)
+    for (double x = 0; x + t() <= views[e].length; x += step())
       if (has_slots(e, slot(x, p))) places.push_back(x);
     return places;
   }
@@ -132,7 +150,7 @@ private:
   {
     std::vector<Placed_connector> fallback;
     int freedom_of_fallback = -1;
-    for (const Connector_size& size : options.sizes) {
+    for (const Connector_size& size : sizes_for(e)) {
       auto places = places_with_slots(e, size);
       std::stable_sort(places.begin(), places.end(),
                        [target](double a, double b) { return std::abs(a - target) < std::abs(b - target); });
@@ -175,20 +193,92 @@ private:
     placed.push_back(std::move(c));
   }
 
+  /// Takes connector `i` out of its place.
+  void remove(std::size_t i)
+  {
+    const Placed_connector& c = placed[i];
+    for (int side = 0; side < 2; ++side) {
+      auto& slots = panels[views[c.edge].sides[side].panel].slots[c.pieces[side]];
+      slots.erase(std::find(slots.begin(), slots.end(), c.slots[side]));
+    }
+    space.remove(i);
+    placed.erase(placed.begin() + std::ptrdiff_t(i));
+  }
+
+  /// The connectors that keep connector `c` from its place: by their slots or by their bodies.
+  std::vector<std::size_t> in_the_way_of(const Placed_connector& c) const
+  {
+    std::vector<std::size_t> result = space.collisions(space.body_of(c.frame, c.profile));
+    for (std::size_t i = 0; i < placed.size(); ++i)
+      if (slots_too_near(c, placed[i])) result.push_back(i);
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  bool slots_too_near(const Placed_connector& c, const Placed_connector& other) const
+  {
+    for (const Edge_in_panel& side : views[c.edge].sides)
+      for (int i = 0; i < 2; ++i)
+        if (views[other.edge].sides[i].panel == side.panel &&
+            !Slotted_panel::keeps_from(other.slots[i], side, slot(c.position, c.profile), 1.5 * t()))
+          return true;
+    return false;
+  }
+
+  /// Finds a place for the smallest connector of edge `e` where at most two others stand in the way, all of which have
+  /// another place.
+  bool make_room(int e)
+  {
+    const Connector_profile p = profile(e, smallest_size(e));
+    int trials = 0;
+    for (double x = 0; x + t() <= views[e].length && trials < 40; x += step()) {
+      bool room = true;
+      for (const Edge_in_panel& side : views[e].sides)
+        room = room && panels[side.panel].piece_with_bare_room(side, slot(x, p), 1.5 * t()) >= 0;
+      if (!room) continue;
+      const Placed_connector c = connector_at(e, smallest_size(e), x);
+      if (!space.is_clear_of_panels(e, space.body_of(c.frame, c.profile))) continue;
+      const auto others = in_the_way_of(c);
+      if (others.size() > 2) continue;
+      ++trials;
+      if (place_instead(c, others)) return true;
+    }
+    return false;
+  }
+
+  /// Places `c`, and the connectors `others` elsewhere along their edges; if one of them has no other place, everything
+  /// stays as it was.
+  bool place_instead(const Placed_connector& c, const std::vector<std::size_t>& others)
+  {
+    const auto old_placed = placed;
+    const auto old_panels = panels;
+    const auto old_space = space.placed_bodies();
+    for (auto i = others.rbegin(); i != others.rend(); ++i) remove(*i);
+    place(c);
+    const bool moved = std::all_of(others.begin(), others.end(), [&](std::size_t i) {
+      return place_near(old_placed[i].edge, old_placed[i].position);
+    });
+    if (moved) return true;
+    placed = old_placed;
+    panels = old_panels;
+    space.restore_bodies(old_space);
+    return false;
+  }
+
   /// Why no place was found.
   std::string diagnosis(int e) const
   {
-    const Connector_profile p = profile(e, options.sizes.back());
+    const Connector_profile p = profile(e, smallest_size(e));
     std::string narrow;
     for (const Edge_in_panel& side : views[e].sides) {
       bool room = false;
-      for (double x = 0; !room && x + t() <= views[e].length; x += t() / 4)
+      for (double x = 0; !room && x + t() <= views[e].length; x += step())
         room = panels[side.panel].piece_with_room(side, slot(x, p), 1.5 * t()) >= 0;
       if (!room) narrow += (narrow.empty() ? "" : " and ") + panel_id(complex, side.panel);
     }
     if (!narrow.empty()) return "no room for a slot with its margin in " + narrow;
-    if (!places_with_slots(e, options.sizes.back()).empty())
-      return "a connector would run into other panels or connectors";
+    if (!places_with_slots(e, smallest_size(e)).empty()) return "a connector would run into other panels or connectors";
     return "no place along the edge has room for slots in both panels";
   }
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/convex_hull_2.h>
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -51,15 +52,23 @@ public:
   }
 
   /// Is there room for the body of a connector of edge `e`? Decided in doubles with clearance, confirmed exactly.
-  bool has_room(int e, const Block& body) const
+  bool has_room(int e, const Block& body) const { return collisions(body).empty() && is_clear_of_panels(e, body); }
+
+  /// The bodies that leave none, by order of adding.
+  std::vector<std::size_t> collisions(const Block& body) const
   {
-    for (const Block& other : bodies)
-      if (!surely_apart(body, other, options.clearance)) return false;
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      if (!surely_apart(body, bodies[i], options.clearance) || !exactly_apart(body, bodies[i])) result.push_back(i);
+    return result;
+  }
+
+  /// Is there room as far as panels are concerned?
+  bool is_clear_of_panels(int e, const Block& body) const
+  {
     for (int p = 0; p < int(sheets.size()); ++p)
       if (!is_beside(e, p) && !(surely_apart(body, sheets[p], options.clearance) && surely_apart(body, skins[p], 0)))
         return false;
-    for (const Block& other : bodies)
-      if (!exactly_apart(body, other)) return false;
     for (int p = 0; p < int(sheets.size()); ++p)
       if (!is_beside(e, p) && !exactly_apart(body, sheets[p])) return false;
     return true;
@@ -93,13 +102,11 @@ public:
   void add(Block body) { bodies.push_back(std::move(body)); }
   const Block& sheet(int p) const { return sheets[p]; }
 
-  /// The connectors, by order of adding, whose bodies run into the sheets of `truncation`, exactly.
-  bool is_clear_of(int e, const Block& body, const std::vector<Block>& other_sheets) const
-  {
-    for (int p = 0; p < int(other_sheets.size()); ++p)
-      if (!is_beside(e, p) && !exactly_apart(body, other_sheets[p])) return false;
-    return true;
-  }
+  /// Takes out the body that was added as number `i`; those after it move up.
+  void remove(std::size_t i) { bodies.erase(bodies.begin() + std::ptrdiff_t(i)); }
+  /// All that were added, to go back to them.
+  const std::vector<Block>& placed_bodies() const { return bodies; }
+  void restore_bodies(std::vector<Block> all) { bodies = std::move(all); }
 
 private:
   static constexpr double skin = 1e-3; ///< half the thickness given to the surface of the model, in mm

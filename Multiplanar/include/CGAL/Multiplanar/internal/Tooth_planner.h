@@ -55,14 +55,15 @@ public:
     teeth.edge = e;
     bool near_slots = false;
     for (const Interval& room : rooms) {
+      if (room[1] <= 0 || room[0] >= connectors.view(e).length) continue; // beside another edge of the two panels
       const auto stretches = away_from_slots(e, room);
       near_slots = near_slots || stretches.size() != 1 || stretches[0] != room;
-      for (const Interval& s : stretches)
+      for (const Interval& s : intersection(stretches, backed_stretches(e, usual)))
         for (const Interval& tooth : teeth_in(s, s[0] - room[0], room[1] - s[1], options.thickness))
           teeth.intervals.push_back(tooth);
     }
     if (teeth.intervals.empty())
-      reasons[e] = near_slots ? "teeth would come too close to slots" : "too short for teeth";
+      reasons[e] = near_slots ? "teeth would come too close to slots" : "no stretch of it has room for teeth";
     return teeth;
   }
 
@@ -100,6 +101,15 @@ private:
 
   /// Half a thickness below either outer face: this far from the edge the overlap of the two sheets has its middle.
   double middle_line(int e) const { return options.thickness / 2 / std::tan(connectors.view(e).theta / 2); }
+
+  /// Where both panels go on behind the teeth, so that neither a tooth nor what is left behind a gap breaks off.
+  std::vector<Interval> backed_stretches(int e, const Truncation& usual) const
+  {
+    const double behind = tooth_strip(connectors.view(e).theta, options.thickness).far + 2 * options.thinnest;
+    const Edge_in_panel &stays = side(e, true), &gives_way = side(e, false);
+    return intersection(material_along(usual.panels[stays.panel].pieces, stays, behind),
+                        material_along(usual.panels[gives_way.panel].pieces, gives_way, behind));
+  }
 
   /// The panel that stays loses the strip under a tooth of the other: the stretches of `room` where that is far enough
   /// from its slots.

@@ -30,7 +30,8 @@ public:
       : complex(complex), options(options), order(truncation_order(complex)), panels(whole_panels(complex, options)),
         cuts_of(complex, panels, options.thickness, options.approach_length()), memory(panels.size())
   {
-    for (int p = 0; p < complex.number_of_panels(); ++p) within.push_back(columns_within_model(p));
+    lost.resize(panels.size());
+    for (int p = 0; p < complex.number_of_panels(); ++p) within.push_back(columns_within_model(p, lost[p]));
   }
   Truncator(const Truncator&) = delete;
   Truncator& operator=(const Truncator&) = delete;
@@ -91,7 +92,7 @@ private:
   }
 
   /// Step 1. A column that leaves the model does so through a panel that faces away from the column's own.
-  Slab columns_within_model(int p) const
+  Slab columns_within_model(int p, double& lost) const
   {
     Exact_polygon_set set = panels[p].polygon_set();
     Cuts cuts;
@@ -99,7 +100,7 @@ private:
       if (q != p && panels[p].frame.normal * panels[q].frame.normal < 0 && boxes_meet(panels[p], panels[q], 0))
         for (const Exact_convex& piece : panels[q].pieces) cuts_of.add_crossings(piece, q, p, cuts);
     Slab_cuts::subtract(cuts, set);
-    return Slab(panels[p].frame, cleaned_pieces(set), options.thickness);
+    return Slab(panels[p].frame, cleaned_pieces(set, lost), options.thickness);
   }
 
   /// Step 2 for the panel at position `i` of the order; remembered.
@@ -115,8 +116,9 @@ private:
     Slab_cuts::subtract(cuts, set);
     std::vector<int> overhung_by, blocked_by;
     for (int j = 0; j < i; ++j) clear_approach(p, order[j], *done[order[j]], set, overhung_by, blocked_by);
-    std::vector<Flat_polygon> pieces = cleaned_pieces(set);
-    const double dropped = drop_small_pieces(options, pieces);
+    double dropped = lost[p];
+    std::vector<Flat_polygon> pieces = cleaned_pieces(set, options.thinnest, dropped);
+    dropped += drop_small_pieces(options, pieces);
     memory[p].emplace_back(cutters, std::make_unique<Outcome>(Outcome{Slab(panels[p].frame, pieces, options.thickness),
                                                                       dropped, overhung_by, blocked_by}));
     return *memory[p].back().second;
@@ -187,6 +189,7 @@ private:
   std::vector<Slab> panels; ///< the panels themselves
   Slab_cuts cuts_of;
   std::vector<Slab> within; ///< their columns inside the model (step 1)
+  std::vector<double> lost; ///< area that step 1 could not keep, by panel
   std::vector<std::vector<std::pair<std::vector<Cutter>, std::unique_ptr<Outcome>>>> memory; ///< by panel
 };
 

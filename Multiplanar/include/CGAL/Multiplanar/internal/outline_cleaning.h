@@ -6,15 +6,16 @@
 
 #include <CGAL/Multiplanar/exact_polygons.h>
 #include <CGAL/Multiplanar/internal/Flat_polygon.h>
+#include <CGAL/Multiplanar/internal/thin_webs.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 // Exact polygons are rounded to doubles once, here, and rid of what no machine can cut: slivers thinner than a
-// micrometre, which nearly coincident cuts leave, and steps, spikes and notches with sides under 20 micrometres. That
-// only takes material away, or adds slivers of at most a nanometre (rounding alone adds 1e-14 mm): parts that were
-// disjoint stay so, up to that much.
+// micrometre, which nearly coincident cuts leave, steps, spikes and notches with sides under 20 micrometres, and thin
+// webs (thin_webs.h). That only takes material away, or adds slivers of at most a nanometre (rounding alone adds 1e-14
+// mm): parts that were disjoint stay so, up to that much.
 
 namespace CGAL {
 namespace Multiplanar {
@@ -126,7 +127,8 @@ inline Exact_polygon_set without_pinches(const Exact_polygon& polygon)
 }
 
 /// The pieces of `set`, rounded and cleaned; all valid. What is thinner than a micrometre everywhere disappears.
-inline std::vector<Flat_polygon> cleaned_pieces(const Exact_polygon_set& set)
+/// \param lost receives the area of pieces that no cleaning makes valid (none are known)
+inline std::vector<Flat_polygon> cleaned_pieces(const Exact_polygon_set& set, double& lost)
 {
   std::vector<Flat_polygon> result;
   const auto accept = [&result](const Exact_polygon& polygon) {
@@ -141,13 +143,36 @@ inline std::vector<Flat_polygon> cleaned_pieces(const Exact_polygon_set& set)
   };
   for (const Exact_polygon& polygon : polygons_of(set)) {
     if (accept(polygon)) continue;
-    for (const Exact_polygon& part : polygons_of(without_pinches(polygon))) {
-      const bool valid = accept(part);
-      CGAL_warning_msg(valid, "an outline is not simple after rounding, and is left out");
-      CGAL_USE(valid);
-    }
+    for (const Exact_polygon& part : polygons_of(without_pinches(polygon)))
+      if (!accept(part)) lost += area(part);
   }
   return result;
+}
+
+/// The same without webs and pinholes narrower than `width`: cutting one may leave others, so it is done until there
+/// are none, a few times at most.
+inline std::vector<Flat_polygon> cleaned_pieces(const Exact_polygon_set& set, double width, double& lost)
+{
+  std::vector<Flat_polygon> pieces = cleaned_pieces(set, lost);
+  for (int round = 0; round < 4; ++round) {
+    std::vector<Flat_polygon> result;
+    bool changed = false;
+    for (const Flat_polygon& piece : pieces) {
+      const std::vector<Exact_loop> cuts = cuts_of_webs(piece, width);
+      if (cuts.empty()) {
+        result.push_back(piece);
+        continue;
+      }
+      changed = true;
+      Exact_polygon_set all, rest(exact_polygon(piece.outline, piece.holes));
+      all.join(cuts.begin(), cuts.end());
+      rest.difference(all);
+      for (Flat_polygon& p : cleaned_pieces(rest, lost)) result.push_back(std::move(p));
+    }
+    pieces = std::move(result);
+    if (!changed) break;
+  }
+  return pieces;
 }
 
 } // namespace internal

@@ -75,21 +75,34 @@ struct Slotted_panel
     return -1;
   }
 
+  /// The same as if there were no slots yet.
+  int piece_with_bare_room(const Edge_in_panel& edge, const Slot& slot, double margin) const
+  {
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      if (has_room(pieces[i], {}, edge, slot, margin)) return int(i);
+    return -1;
+  }
+
   static bool has_room(const Flat_polygon& piece, const std::vector<Outline>& slots, const Edge_in_panel& edge,
                        const Slot& slot, double margin)
   {
     bool room = true;
-    const auto keep_away = [&](const Point_2& a, const Point_2& b) {
+    for_each_side(piece, [&](const Point_2& a, const Point_2& b) {
       room = room && distance_to_slot(slot, edge, a, b) >= margin;
-    };
-    for_each_side(piece, keep_away);
-    for_each_side({{}, slots}, keep_away);
-    if (!room) return false;
+    });
+    for (const Outline& other : slots) room = room && keeps_from(other, edge, slot, margin);
+    return room && contains(piece, edge((slot.from + slot.to) / 2, (slot.near + slot.far) / 2));
+  }
+
+  /// Does the slot keep `margin` from another one?
+  static bool keeps_from(const Outline& other, const Edge_in_panel& edge, const Slot& slot, double margin)
+  {
+    bool room = true;
+    for_each_side({{}, {other}}, [&](const Point_2& a, const Point_2& b) {
+      room = room && distance_to_slot(slot, edge, a, b) >= margin;
+    });
     const Point_2 middle = edge((slot.from + slot.to) / 2, (slot.near + slot.far) / 2);
-    if (!contains(piece, middle)) return false;
-    for (const Outline& other : slots) // no side of the other is near, so it surrounds the middle or is far away
-      if (CGAL::bounded_side_2(other.begin(), other.end(), middle, Kernel()) != CGAL::ON_UNBOUNDED_SIDE) return false;
-    return true;
+    return room && CGAL::bounded_side_2(other.begin(), other.end(), middle, Kernel()) == CGAL::ON_UNBOUNDED_SIDE;
   }
 };
 

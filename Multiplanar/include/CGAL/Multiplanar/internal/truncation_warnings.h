@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Multiplanar {
@@ -26,7 +28,7 @@ inline std::string piece_id(const Panel_complex& complex, int panel, std::size_t
 
 namespace internal {
 
-/// Twice the area over the perimeter: the width of a long strip.
+/// Twice the area over the length of all loops: the width of a long strip.
 inline double strip_width(const Flat_polygon& polygon)
 {
   double perimeter = 0;
@@ -35,20 +37,21 @@ inline double strip_width(const Flat_polygon& polygon)
   return perimeter > 0 ? 2 * polygon.area() / perimeter : 0;
 }
 
-/// Sorts the pieces by area, largest first, and drops those too small to be cut. Crumbs are ordinary waste: wherever
-/// three panels meet at obtuse angles, the one that gives way is left with one between the other two.
-/// \return the area dropped
+/// Sorts the pieces by area, largest first, and drops those too small to be cut; beside a larger piece also those so
+/// narrow that they break. Crumbs are ordinary waste: wherever three panels meet at obtuse angles, the one that gives
+/// way is left with one between the other two. \return the area dropped
 inline double drop_small_pieces(const Truncation_options& options, std::vector<Flat_polygon>& pieces)
 {
-  const auto large_enough = [&](const Flat_polygon& piece) {
-    return piece.area() >= options.smallest_area() && strip_width(piece) >= options.thinnest;
-  };
-  const auto kept = std::stable_partition(pieces.begin(), pieces.end(), large_enough);
-  double dropped = 0;
-  for (auto piece = kept; piece != pieces.end(); ++piece) dropped += piece->area();
-  pieces.erase(kept, pieces.end());
   std::stable_sort(pieces.begin(), pieces.end(),
                    [](const Flat_polygon& a, const Flat_polygon& b) { return a.area() > b.area(); });
+  std::vector<Flat_polygon> kept;
+  double dropped = 0;
+  for (Flat_polygon& piece : pieces) {
+    const double narrowest = kept.empty() ? options.thinnest : 2 * options.thinnest;
+    if (piece.area() >= options.smallest_area() && strip_width(piece) >= narrowest) kept.push_back(std::move(piece));
+    else dropped += piece.area();
+  }
+  pieces = std::move(kept);
   return dropped;
 }
 
