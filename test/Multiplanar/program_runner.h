@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <csignal>
 #include <functional>
 #include <iterator>
 #include <string>
@@ -75,6 +76,11 @@ protected:
     if (child != 0) return child;
     dup2(open(path("stdout").c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0666), STDOUT_FILENO);
     dup2(open(path("stderr").c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0666), STDERR_FILENO);
+    // Whoever runs the tests may have had signals ignored or blocked, which programs inherit.
+    for (const int s : {SIGINT, SIGTERM, SIGHUP}) signal(s, SIG_DFL);
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, nullptr);
     prepare();
     execv(argv[0], argv.data());
     _exit(127);
