@@ -30,43 +30,48 @@ struct Start
   double criterion, hausdorff;
 };
 
-/// The least of what the criterion says about the partitions of one start; infinite if none leads to sound panels.
-double criterion_of(const internal::Connectivity& c, const Points& source, const Flat_panels_options& options,
-                    const std::vector<std::vector<int>>& partitions)
-{
-  internal::Panel_search_options search_options;
-  search_options.max_panels = options.max_panels;
-  search_options.effort = options.effort;
-  search_options.threads = 1;
-  search_options.min_edge = options.min_edge;
-  search_options.min_width = options.min_width;
-  const internal::Input_surface input = internal::make_input_surface(c, source);
-  Points unit;
-  for (const auto& x : input.points) unit.push_back(internal::as_point(x));
-  const Label_costs costs(c, unit);
-  const internal::Panel_search search(input, search_options, {});
-  double least = HUGE_VAL;
-  for (const auto& labels : partitions) {
-    internal::Panel_model model;
-    if (search.start_model(costs, labels, model) && model.faults == 0)
-      least = (std::min)(least, model.merit * (1 + 0.02 * model.offences));
-  }
-  return least;
-}
-
+/// What the search knows of a start, and what comes of it: the better of its partitions by the criterion, finished.
 Start measure(const internal::Connectivity& c, const Points& source, int k, int seed)
 {
   Approximation_options options;
   options.panels = k;
   Approximation_visitor silent;
   const auto outcome = internal::run_loop(c, source, options, seed, 1, silent);
-  Flat_panels_options flat;
-  flat.max_panels = k;
-  flat.effort = Effort::fast;
-  flat.threads = 1;
-  const double percent = 100 / internal::Unit_frame(source).diagonal();
-  return {criterion_of(c, source, flat, outcome.partitions),
-          flat_panels(c, source, outcome.partitions, flat).hausdorff * percent};
+
+  const Flat_panels_options flat; // with its measures of what is too small
+  internal::Panel_search_options search_options;
+  search_options.max_panels = k;
+  search_options.threads = 1;
+  search_options.min_edge = flat.min_edge;
+  search_options.min_width = flat.min_width;
+  const internal::Input_surface input = internal::make_input_surface(c, source);
+  Points unit;
+  for (const auto& x : input.points) unit.push_back(internal::as_point(x));
+  const Label_costs costs(c, unit);
+  const internal::Panel_search search(input, search_options, {});
+  internal::Panel_model best;
+  Start start{HUGE_VAL, HUGE_VAL};
+  for (const auto& labels : outcome.partitions) {
+    internal::Panel_model model;
+    if (!search.start_model(costs, labels, model) || model.faults > 0) continue;
+    const double criterion = model.merit * (1 + 0.02 * model.offences);
+    if (!(criterion < start.criterion)) continue;
+    start.criterion = criterion;
+    best = std::move(model);
+  }
+  if (start.criterion == HUGE_VAL) return start;
+
+  internal::Accuracy_options last; // as the search ends
+  last.min_edge = flat.min_edge;
+  last.powers = {16, 32, 64, 128};
+  last.steps = 20;
+  last.least_gain = 1e-4;
+  const internal::Panel_modeller modeller(input, std::sqrt(input.area / 3000), flat.min_edge, flat.min_width);
+  modeller.improve_all(best, last);
+  Flat_panels_result result = internal::result_of(c, source, input, best);
+  internal::measure_panels(c, source, input.scale, result);
+  start.hausdorff = 100 * result.hausdorff / internal::Unit_frame(source).diagonal();
+  return start;
 }
 
 std::vector<double> ranks(const std::vector<double>& values)

@@ -57,7 +57,8 @@ void add_approximation_options(CLI::App& app, Settings& s, Raw_values& raw)
       ->type_name("N");
   app.add_option("--saliency", s.saliency_file, "where more panels are wanted: a value 0..1 a face, text or PLY")
       ->type_name("FILE");
-  app.add_option("--saliency-weight", a.saliency_weight, "W: 1 + W/4 times the panels where saliency is 1 (1)")
+  app.add_option("--saliency-weight", a.saliency_weight,
+                 "W: where saliency is 1, panels come about 1 + W/4 times closer (1)")
       ->type_name("W");
   app.add_option("--smoothness", a.smoothness, "weight of the smoothness term (0)")->type_name("W");
   app.add_option("--min-edge", s.min_edge, "shorter edges of panels are removed (half the thickness)")->type_name("MM");

@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The Multiplanar authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What saliency does, and on what scale: a sphere whose upper half is painted salient, approximated with more and more
-// saliency weight W. A line for each W: the panels in either half, and how far the halves are from the panels, in per
-// cent of the diagonal of the sphere's bounding box.
+// What saliency does, and on what scale: a sphere whose upper half is painted salient (s = 1, below s = 0),
+// approximated with more and more saliency weight W. A line for each W: the panels with most of their faces in the
+// upper and in the lower half; how much denser they are in the upper one, away from the equator, where panels lie in
+// both; and how far the halves are from the panels, in per cent of the diagonal of the sphere's bounding box.
 //   saliency [panels [fast|normal [W ...]]]
 
 #include <CGAL/multiplanar_approximation.h>
@@ -37,25 +38,56 @@ Mesh unit_sphere()
   return mesh;
 }
 
-MP::Points points_of(const Mesh& mesh)
+/// The sphere as arrays, and for each face the height of its centroid.
+struct Sphere
 {
   MP::Points points;
-  for (auto v : mesh.vertices()) points.push_back(mesh.point(v));
-  return points;
-}
+  Triangles triangles, half[2]; ///< all, the lower ones, the upper ones
+  std::vector<double> height;
 
-// The triangles with this saliency, or all if it is negative.
-Triangles triangles_of(const Mesh& mesh, const Mesh::Property_map<Mesh::Face_index, float>& saliency, float which)
-{
-  Triangles triangles;
-  for (auto f : mesh.faces()) {
-    if (which >= 0 && saliency[f] != which) continue;
-    std::array<int, 3> t;
-    int i = 0;
-    for (auto v : vertices_around_face(mesh.halfedge(f), mesh)) t[i++] = int(v);
-    triangles.push_back(t);
+  explicit Sphere(const Mesh& mesh)
+  {
+    for (auto v : mesh.vertices()) points.push_back(mesh.point(v));
+    for (auto f : mesh.faces()) {
+      std::array<int, 3> t;
+      double z = 0;
+      int i = 0;
+      for (auto v : vertices_around_face(mesh.halfedge(f), mesh)) {
+        z += mesh.point(v).z() / 3;
+        t[i++] = int(v);
+      }
+      triangles.push_back(t);
+      half[z > 0].push_back(t);
+      height.push_back(z);
+    }
   }
-  return triangles;
+};
+
+void print_line(double weight, const Sphere& sphere, const MP::Approximation_result& result)
+{
+  // The faces have nearly equal areas, so they are counted.
+  const std::vector<int>& panel = result.panel_of_face;
+  std::vector<double> faces(result.complex.number_of_panels(), 0), above = faces;
+  for (std::size_t f = 0; f < panel.size(); ++f) {
+    faces[panel[f]] += 1;
+    above[panel[f]] += sphere.height[f] > 0;
+  }
+  int panels[2] = {0, 0};
+  for (std::size_t p = 0; p < faces.size(); ++p) ++panels[above[p] > faces[p] / 2];
+  double density[2] = {0, 0};
+  for (std::size_t f = 0; f < panel.size(); ++f)
+    if (std::abs(sphere.height[f]) > 0.4) density[sphere.height[f] > 0] += 1 / faces[panel[f]];
+
+  double mean[2], largest[2];
+  const double percent = 100 / std::sqrt(12.);
+  for (int s : {0, 1}) {
+    mean[s] = percent * MP::mean_distance(sphere.points, sphere.half[s], result.points, sphere.triangles);
+    largest[s] =
+        percent * MP::directed_hausdorff(sphere.points, sphere.half[s], result.points, sphere.triangles, 1e-3).upper;
+  }
+  std::printf("%3g  |  %6d  %6d  |  %7.2f  |  %6.2f  %6.2f  |  %6.2f  %6.2f\n", weight, panels[1], panels[0],
+              density[1] / density[0], mean[1], mean[0], largest[1], largest[0]);
+  std::fflush(stdout);
 }
 
 } // namespace
@@ -67,38 +99,19 @@ int main(int argc, char** argv)
   std::vector<double> weights;
   for (int i = 3; i < argc; ++i) weights.push_back(std::atof(argv[i]));
   if (weights.empty()) weights = {0, 1, 2, 4, 8, 16, 32};
-  Mesh sphere = unit_sphere();
-  auto saliency = sphere.add_property_map<Mesh::Face_index, float>("f:saliency", 0).first;
-  for (auto f : sphere.faces()) {
-    double height = 0;
-    for (auto v : vertices_around_face(sphere.halfedge(f), sphere)) height += sphere.point(v).z();
-    saliency[f] = height > 0 ? 1 : 0;
-  }
 
-  const MP::Points source = points_of(sphere);
-  const Triangles all = triangles_of(sphere, saliency, -1);
-  const double percent = 100 / std::sqrt(12.); // of the diagonal
-  std::printf("     W   panels where s = 1, s = 0   ratio   mean distance s = 1, s = 0   largest s = 1, s = 0\n");
+  const Mesh mesh = unit_sphere();
+  const Sphere sphere(mesh);
+  std::printf("     |      panels      |  density  |   mean distance  |     largest\n"
+              "  W  |   s = 1   s = 0  |    ratio  |   s = 1   s = 0  |   s = 1   s = 0\n");
   for (double weight : weights) {
-    Mesh mesh = sphere;
-    auto painted = mesh.property_map<Mesh::Face_index, float>("f:saliency").first;
-    auto panel = mesh.add_property_map<Mesh::Face_index, int>("f:panel").first;
-    const auto result = CGAL::multiplanar_approximation(
-        mesh, panel,
-        MP::parameters::number_of_panels(k).effort(effort).face_saliency_map(painted).saliency_weight(weight));
-
-    std::vector<double> height(result.complex.number_of_panels(), 0);
-    for (auto f : sphere.faces()) height[panel[f]] += saliency[f] == 1 ? 1 : -1;
-    int panels[2] = {0, 0};
-    for (double h : height) ++panels[h > 0];
-    double mean[2], largest[2];
-    for (int s : {0, 1}) {
-      const Triangles half = triangles_of(sphere, saliency, float(s));
-      mean[s] = MP::mean_distance(source, half, result.points, all) * percent;
-      largest[s] = MP::directed_hausdorff(source, half, result.points, all, 1e-3).upper * percent;
-    }
-    std::printf("%6g %18d %7d %7.2f %21.2f %6.2f %16.2f %6.2f\n", weight, panels[1], panels[0],
-                double(panels[1]) / panels[0], mean[1], mean[0], largest[1], largest[0]);
+    Mesh result_mesh = mesh;
+    auto saliency = result_mesh.add_property_map<Mesh::Face_index, double>("f:saliency", 0).first;
+    for (auto f : result_mesh.faces()) saliency[f] = sphere.height[f] > 0 ? 1 : 0;
+    auto panel = result_mesh.add_property_map<Mesh::Face_index, int>("f:panel").first;
+    const auto np =
+        MP::parameters::number_of_panels(k).effort(effort).face_saliency_map(saliency).saliency_weight(weight);
+    print_line(weight, sphere, CGAL::multiplanar_approximation(result_mesh, panel, np));
   }
   return EXIT_SUCCESS;
 }

@@ -76,7 +76,7 @@ public:
   /// \return false if no partition led to panels without faults
   bool run(std::vector<std::vector<int>> partitions, Panel_model& best)
   {
-    const Label_costs costs(c, frame_points);
+    const Label_costs costs = label_costs();
     std::vector<Panel_model> models;
     for (int attempt = 0; attempt < 3 && models.empty(); ++attempt) {
       add_partitions(attempt, partitions);
@@ -97,12 +97,20 @@ public:
     Teleport_search t(modeller, options.max_panels, threads);
     t.local_options = local_accuracy();
     std::vector<Panel_model> models = t.reworked(m, p);
-    const Label_costs costs(c, frame_points);
+    const Label_costs costs = label_costs();
     for_each_parallel(int(models.size()), threads, [&](int i) { mend(costs, models[i], nullptr); });
     return models;
   }
 
 private:
+  /// Costs that make panels as dense as the importance says (`Label_costs::seed_density()`).
+  Label_costs label_costs() const
+  {
+    std::vector<double> w_t;
+    for (double w : in.importance) w_t.push_back(4 * (in.largest_importance / w - 1));
+    return Label_costs(c, frame_points, {}, w_t);
+  }
+
   Accuracy_options accuracy() const
   {
     Accuracy_options a;

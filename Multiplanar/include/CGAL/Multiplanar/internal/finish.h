@@ -158,7 +158,7 @@ inline void finish(const Connectivity& c, const Points& source, const std::vecto
   const Points unit = frame.to_unit(source);
   const Label_costs costs(c, unit, {}, saliency_weights(options.saliency, options.saliency_weight));
   // Panels n times as dense are about n times closer to a curved surface: distances that count so much more are even.
-  for (int f = 0; !options.saliency.empty() && f < costs.faces(); ++f)
+  for (int f = 0; options.saliency_weight > 0 && !options.saliency.empty() && f < costs.faces(); ++f)
     flat_options.importance.push_back(costs.seed_density(f));
 
   Flat_panels_result flat;

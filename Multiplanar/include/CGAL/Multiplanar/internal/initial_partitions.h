@@ -6,6 +6,7 @@
 
 #include <CGAL/Multiplanar/internal/label_edits.h>
 
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -28,19 +29,33 @@ inline std::vector<int> grow_partition(const Input_surface& in, const std::vecto
   for (int f = 0; f < faces; ++f) region[f] = f;
   std::vector<Proxy> proxies;
   std::vector<int> names, seeds;
+  // At a distance r from the middle of a region, squared differences of normals are as r^2, squared distances as r^4:
+  // regions whose proxies weigh w^(3/2) end where the next ones begin if they are w times as dense.
+  const auto weight = [](double importance) { return importance * std::sqrt(importance); };
   const auto add = [&](int face) {
     const auto& t = c.triangles[face];
     const Vec3 n = (in.points[t[1]] - in.points[t[0]]).cross(in.points[t[2]] - in.points[t[0]]).normalized();
-    proxies.push_back({n, n.dot(in.points[t[0]])});
+    proxies.push_back({n, n.dot(in.points[t[0]]), weight(in.importance_of(face))});
     names.push_back(int(names.size()));
     seeds.push_back(face);
   };
-  for (int i = 0; i < (std::max)(1, k / 4); ++i) add(int(random() % std::uint64_t(faces)));
+  const auto draw = [&] { // in proportion to the importance
+    int f;
+    do f = int(random() % std::uint64_t(faces));
+    while (!in.importance.empty() && double(random() >> 11) * 0x1p-53 * in.largest_importance >= in.importance[f]);
+    return f;
+  };
+  for (int i = 0; i < (std::max)(1, k / 4); ++i) add(draw());
   const auto round = [&] {
     flood(c, region, proxies, names, seeds, cost, labels);
     std::vector<Moments> sums(proxies.size());
-    for (int f = 0; f < faces; ++f) sums[labels[f]] += moments[f];
+    std::vector<double> importance(proxies.size(), 0);
+    for (int f = 0; f < faces; ++f) {
+      sums[labels[f]] += moments[f];
+      importance[labels[f]] += in.importance_of(f) * moments[f].area;
+    }
     for (std::size_t i = 0; i < proxies.size(); ++i) {
+      if (!in.importance.empty() && sums[i].area > 0) proxies[i].weight = weight(importance[i] / sums[i].area);
       if (sums[i].area > 0) fit_plane(sums[i], proxies[i].normal, proxies[i].offset);
       seeds[i] = -1;
     }
@@ -53,7 +68,7 @@ inline std::vector<int> grow_partition(const Input_surface& in, const std::vecto
     std::vector<int> worst_face(proxies.size(), -1), order;
     for (int f = 0; f < faces; ++f) {
       const double d = cost(f, proxies[labels[f]]), e = d / (moments[f].area > 0 ? moments[f].area : 1);
-      total[labels[f]] += d;
+      total[labels[f]] += in.importance_of(f) * d;
       if (e > worst[labels[f]]) worst[labels[f]] = e, worst_face[labels[f]] = f;
     }
     for (std::size_t i = 0; i < proxies.size(); ++i) order.push_back(int(i));

@@ -59,6 +59,7 @@ struct Proxy
 {
   Vec3 normal;
   double offset;
+  double weight = 1; ///< multiplies what faces cost: the higher, the smaller the region it wins
 };
 
 /// What it costs a face to lie in a plane: the squared distance of its corners in units of `unit`, and the squared
@@ -81,7 +82,7 @@ public:
       const double r = (p.normal.dot(in.points[v]) - p.offset) / unit;
       d += r * r / 3;
     }
-    return area_[f] * (d + (normal_[f] - p.normal).squaredNorm());
+    return p.weight * area_[f] * (d + (normal_[f] - p.normal).squaredNorm());
   }
   void set_unit(double u) { unit = u; }
 
