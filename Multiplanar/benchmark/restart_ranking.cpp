@@ -54,7 +54,7 @@ Start measure(const internal::Connectivity& c, const Points& source, int k, int 
   for (const auto& labels : outcome.partitions) {
     internal::Panel_model model;
     if (!search.start_model(costs, labels, model) || model.faults > 0) continue;
-    const double criterion = model.merit * (1 + 0.02 * model.offences);
+    const double criterion = model.cost() * (1 + 0.02 * model.offences);
     if (!(criterion < start.criterion)) continue;
     start.criterion = criterion;
     best = std::move(model);

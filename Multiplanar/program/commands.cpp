@@ -13,6 +13,7 @@
 #include "summary.h"
 
 #include <CGAL/Multiplanar/io/write_shell_ply.h>
+#include <CGAL/Multiplanar/Joint_options.h>
 #include <CGAL/Multiplanar/make_panel_complex.h>
 #include <CGAL/Bbox_3.h>
 #include <CGAL/version.h>
@@ -105,7 +106,7 @@ public:
   std::string first_sheet() const { return settings.output + "/" + sheet_file(0, "svg"); }
 
 private:
-  /// Shortest edge and smallest width in the units of the mesh.
+  /// Shortest edge, smallest width and thickness in the units of the mesh.
   void set_smallest_measures(const Input_mesh& mesh, Approximation_options& options) const
   {
     const CGAL::Bbox_3 box = CGAL::bbox_3(mesh.points.begin(), mesh.points.end());
@@ -115,6 +116,7 @@ private:
     const double width = settings.min_width >= 0 ? settings.min_width : settings.model.thickness;
     options.min_edge = (std::max)(edge * units_per_mm, 1e-9 * mesh.diagonal); // 0 would mean the library's default
     options.min_width = (std::max)(width * units_per_mm, 1e-9 * mesh.diagonal);
+    if (settings.joints != Joint_mode::none) options.sheet_thickness = settings.model.thickness * units_per_mm;
   }
 
   void warn(const std::vector<std::string>& lines)

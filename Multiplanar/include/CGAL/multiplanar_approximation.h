@@ -57,6 +57,9 @@ with holes, and all of them together are again a closed surface of the same genu
   \cgalParamNBegin{minimum_panel_width} \cgalParamDescription{panels narrower than this are merged with a neighbour, as
     far as the panels can be flat then}
     \cgalParamType{`double`, in units of the mesh} \cgalParamDefault{0.002 of the bounding-box diagonal} \cgalParamNEnd
+  \cgalParamNBegin{sheet_thickness} \cgalParamDescription{of the material that panels will be cut from: the search
+    prefers panels whose edges have room for connectors or teeth; 0: joints are not thought of}
+    \cgalParamType{`double`, in units of the mesh} \cgalParamDefault{0} \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map} \cgalParamDescription{the points of the vertices}
     \cgalParamType{a model of `ReadWritePropertyMap` from vertices to 3D points with `double` coordinates}
     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`} \cgalParamNEnd

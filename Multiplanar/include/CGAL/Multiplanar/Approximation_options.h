@@ -36,6 +36,7 @@ struct Approximation_options
   std::vector<double> saliency;   ///< s in 0..1 per face, empty: none
   double saliency_weight = 1;     ///< W of w_t = W (1 - s)
   double min_edge = 0;  ///< edges of panels shorter than this, in input units, are removed; 0: 0.002 diagonals
+  double sheet_thickness = 0; ///< in input units: edges of panels get room for joints in such sheets; 0: they need none
   double min_width = 0; ///< panels narrower than this are merged; 0: 0.002 diagonals
 };
 

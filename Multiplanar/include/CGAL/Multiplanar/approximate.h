@@ -32,7 +32,8 @@ inline void check_options(const Connectivity& c, const Points& source, const App
   const int genus = c.genus(), least = fewest_panels(genus);
   if (options.panels < least)
     throw std::invalid_argument("a surface of genus " + std::to_string(genus) + " needs at least " +
-                                std::to_string(least) + " panels; " + std::to_string(options.panels) + " were asked for");
+                                std::to_string(least) + " panels; " + std::to_string(options.panels) +
+                                " were asked for");
   if (options.panels > c.number_of_faces())
     throw std::invalid_argument(std::to_string(options.panels) + " panels were asked for, but the mesh has only " +
                                 std::to_string(c.number_of_faces()) + " faces");
@@ -40,8 +41,8 @@ inline void check_options(const Connectivity& c, const Points& source, const App
   if (options.restarts < 1) throw std::invalid_argument("at least one restart is needed");
   if (options.threads < 0) throw std::invalid_argument("the number of threads must not be negative");
   if (!(options.smoothness >= 0)) throw std::invalid_argument("the smoothness weight must be a number >= 0");
-  if (!(options.min_edge >= 0) || !(options.min_width >= 0))
-    throw std::invalid_argument("the shortest edge and the smallest width must be numbers >= 0");
+  if (!(options.min_edge >= 0) || !(options.min_width >= 0) || !(options.sheet_thickness >= 0))
+    throw std::invalid_argument("the shortest edge, the smallest width and the thickness must be numbers >= 0");
   if (!options.saliency.empty() && options.saliency.size() != std::size_t(c.number_of_faces()))
     throw std::invalid_argument("the saliency has " + std::to_string(options.saliency.size()) +
                                 " values, but the mesh has " + std::to_string(c.number_of_faces()) + " faces");
@@ -141,7 +142,8 @@ inline void measure(const Connectivity& c, const Points& source, Approximation_r
   result.hausdorff_to_panels = distance.to_second.upper;
   result.hausdorff_to_input = distance.to_first.upper;
   result.mean_distance = (mean_distance(source, c.triangles, result.points, c.triangles) +
-                          mean_distance(result.points, c.triangles, source, c.triangles)) / 2;
+                          mean_distance(result.points, c.triangles, source, c.triangles)) /
+                         2;
   result.planarity_deviation = 0;
   for (int f = 0; f < c.number_of_faces(); ++f)
     for (int v : c.triangles[f])

@@ -8,6 +8,7 @@
 #include <CGAL/Multiplanar/Panel_complex.h>
 #include <CGAL/Multiplanar/hausdorff.h>
 #include <CGAL/Multiplanar/internal/Panel_search.h>
+#include <CGAL/Multiplanar/internal/panel_places.h>
 #include <CGAL/Multiplanar/panel_triangulation.h>
 
 #include <cstdint>
@@ -29,6 +30,7 @@ struct Flat_panels_options
   std::uint64_t seed = 0;
   double min_edge = 0.002;        ///< shortest edge aimed at, in diagonals of the bounding box
   double min_width = 0.002;       ///< smallest width of a panel, in diagonals
+  double thickness = 0;           ///< of the sheets, in diagonals: edges should have room for joints; 0: they need not
   std::vector<double> importance; ///< by face: a distance there counts so many times, e.g. 1 + W s; empty: once
 };
 
@@ -81,6 +83,24 @@ inline Flat_panels_result result_of(const Connectivity& c, const Points& source,
   return result;
 }
 
+/// What is smaller than it should be, and where.
+inline std::string note_of_offences(const Input_surface& input, const Panel_search& search, const Panel_model& model,
+                                    const Panel_complex& complex)
+{
+  std::vector<std::string> places;
+  char size[32];
+  for (const auto& e : model.topology->edges)
+    if (search.modelled().is_short(model, e)) {
+      const double length = (model.state.corner[e.corners[0]] - model.state.corner[e.corners[1]]).norm();
+      std::snprintf(size, sizeof size, "%.3g", length * input.scale);
+      places.push_back("an edge of length " + std::string(size) + " " +
+                       near_corners(complex, {e.corners[0], e.corners[1]}));
+    }
+  for (int p = 0; p < model.panels(); ++p)
+    if (search.modelled().is_narrow(model, p)) places.push_back("a panel " + near_panel(complex, p));
+  return "smaller than wanted, for the panels could not be flat without: " + some_of(places);
+}
+
 /// Changes panels until a caller's obstacles are gone.
 class Panel_rework
 {
@@ -96,11 +116,12 @@ public:
   {
     std::vector<int> blocked = result.ok ? obstacles(result) : std::vector<int>();
     for (int round = 0; !blocked.empty(); ++round) {
+      const std::string place = near_panel(result.complex, blocked[0]);
       if (round == max_rounds || !improve(model, result, blocked)) {
         result.ok = false;
         return;
       }
-      search.notes.push_back("a panel was changed because the mesh could not be moved into it");
+      search.notes.push_back("the panel " + place + " was changed: the mesh could not be moved into it");
     }
   }
 
@@ -171,6 +192,7 @@ inline Flat_panels_result flat_panels(const internal::Connectivity& c, const Poi
   search_options.seed = options.seed;
   search_options.min_edge = options.min_edge;
   search_options.min_width = options.min_width;
+  search_options.thickness = options.thickness;
   CGAL_precondition(options.importance.empty() || int(options.importance.size()) == c.number_of_faces());
   internal::Input_surface input = internal::make_input_surface(c, source);
   input.set_importance(options.importance);
@@ -183,8 +205,7 @@ inline Flat_panels_result flat_panels(const internal::Connectivity& c, const Poi
   }
   result = internal::result_of(c, source, input, model);
   if (obstacles) internal::Panel_rework(c, source, input, search, obstacles).run(model, result);
-  if (model.offences > 0)
-    search.notes.push_back(std::to_string(model.offences) + " edges or panels are smaller than wanted");
+  if (model.offences > 0) search.notes.push_back(internal::note_of_offences(input, search, model, result.complex));
   if (result.ok) internal::measure_panels(c, source, input.scale, result);
   result.notes = search.notes;
   return result;

@@ -4,6 +4,7 @@
 #ifndef CGAL_MULTIPLANAR_INTERNAL_PANEL_MODEL_H
 #define CGAL_MULTIPLANAR_INTERNAL_PANEL_MODEL_H
 
+#include <CGAL/Multiplanar/internal/Joint_room.h>
 #include <CGAL/Multiplanar/internal/accuracy_steps.h>
 #include <CGAL/Multiplanar/internal/first_fit.h>
 #include <CGAL/Multiplanar/internal/label_edits.h>
@@ -43,11 +44,14 @@ struct Panel_model
   std::vector<double> panel_error;    ///< largest distance by the panel of the model's face, both ways
   std::vector<int> panel_worst;       ///< the face of the model where it is
   int offences = 0;                   ///< edges that are too short, and panels that are too narrow
+  Joint_room::Lack lack;              ///< long edges without room for a joint
   double merit = 0;                   ///< p-norm of all distances, p = 32
   double largest = 0;
   double work = 0; ///< spent since it was built, in distances measured
 
   int panels() const { return topology->number_of_panels(); }
+  /// What the search lowers: the p-norm, more of it for edges that nothing would hold together.
+  double cost() const { return merit * (1 + 8 * lack.share); }
 };
 
 /// Makes and improves models of one input.
@@ -55,9 +59,11 @@ class Panel_modeller
 {
 public:
   /// \param min_edge, min_width what counts as an offence, in diagonals
-  Panel_modeller(const Input_surface& input, double spacing, double min_edge = 0, double min_width = 0)
+  /// \param thickness of the sheets, in diagonals; 0: room for joints does not count
+  Panel_modeller(const Input_surface& input, double spacing, double min_edge = 0, double min_width = 0,
+                 double thickness = 0)
       : in(input), c(*input.connectivity), spacing(spacing), min_edge(min_edge), min_width(min_width),
-        face_moments(internal::face_moments(c, input.points))
+        joint_room(thickness), face_moments(internal::face_moments(c, input.points))
   {
   }
 
@@ -369,6 +375,7 @@ private:
   void sum_up(Panel_model& m) const
   {
     m.offences = count_offences(m);
+    m.lack = joint_room.lack(*m.topology, m.state);
     m.panel_error.assign(m.panels(), 0);
     m.panel_worst.assign(m.panels(), -1);
     m.largest = 0;
@@ -392,6 +399,7 @@ private:
   const Input_surface& in;
   const Connectivity& c;
   double spacing, min_edge, min_width;
+  Joint_room joint_room;
   std::vector<Moments> face_moments;
 };
 

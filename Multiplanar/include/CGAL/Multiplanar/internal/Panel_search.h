@@ -7,6 +7,7 @@
 #include <CGAL/Multiplanar/Approximation_options.h>
 #include <CGAL/Multiplanar/internal/coarsen_panels.h>
 #include <CGAL/Multiplanar/internal/initial_partitions.h>
+#include <CGAL/Multiplanar/internal/panel_places.h>
 #include <CGAL/Multiplanar/internal/teleport.h>
 #include <CGAL/Multiplanar/panel_partition.h>
 
@@ -33,6 +34,7 @@ struct Panel_search_options
   std::uint64_t seed = 0;
   double work = 1; ///< multiplies the work of the search
   double min_edge = 0.002, min_width = 0.002;
+  double thickness = 0; ///< of the sheets; 0: room for joints does not count
 };
 
 /// How much work an effort stands for. Counted in distances measured, not in seconds, so that results can be repeated.
@@ -65,7 +67,7 @@ public:
       : in(input), c(*input.connectivity), options(options), budget(search_budget(options.effort)),
         threads(options.threads > 0 ? options.threads : (std::max)(1, int(std::thread::hardware_concurrency()))),
         progress(std::move(progress)),
-        modeller(input, std::sqrt(input.area / 3000), options.min_edge, options.min_width),
+        modeller(input, std::sqrt(input.area / 3000), options.min_edge, options.min_width, options.thickness),
         start(std::chrono::steady_clock::now())
   {
     for (const Vec3& x : in.points) frame_points.push_back(as_point(x));
@@ -90,6 +92,8 @@ public:
     mend(costs, best, &notes);
     return true;
   }
+
+  const Panel_modeller& modelled() const { return modeller; }
 
   /// Models with panel `p` of a result of `run` or its surroundings changed: to choose from where `p` is of no use.
   std::vector<Panel_model> reworked(const Panel_model& m, int p)
@@ -214,7 +218,7 @@ private:
     while (int(models.size()) > budget.chains) models.pop_back();
     const std::size_t chains = models.size();
     std::vector<Panel_model> best = models;
-    double last = best[0].merit;
+    double last = best[0].cost();
     int idle = 0; // rounds without a gain
     for (int round = 0; idle < 5 && round < budget.rounds && !stopped(round); ++round) {
       for_each_parallel(int(models.size()), threads, [&](int i) { run_chain(round, i, models[i], best[i]); });
@@ -223,12 +227,13 @@ private:
       if (best.size() > 2)
         best.resize((std::max)(std::size_t(2), best.size() - (std::max)(std::size_t(1), chains / 4)));
       models = best;
-      idle = best[0].merit < 0.999 * last ? 0 : idle + 1;
-      last = best[0].merit;
+      idle = best[0].cost() < 0.999 * last ? 0 : idle + 1;
+      last = best[0].cost();
     }
     models = std::move(best);
     // The last steps see samples four times as dense.
-    const Panel_modeller fine(in, modeller.sample_spacing() / 2, options.min_edge, options.min_width);
+    const Panel_modeller fine(in, modeller.sample_spacing() / 2, options.min_edge, options.min_width,
+                              options.thickness);
     fine.improve_all(models[0], final_accuracy());
   }
 
@@ -274,7 +279,7 @@ private:
     Panel_mender mender(panels, fits);
     mender.mend_all();
     if (notes && panels.number_of_local_problems() > 0)
-      notes->push_back("some triangles of the mesh have all their corners on one edge of a panel");
+      notes->push_back("triangles of the mesh have no area left, on an edge of a panel: " + places_of_chords(panels));
     Label_edit edit = no_edit(panels.labels(), m.panels());
     Panel_model mended;
     std::vector<char> touched;
@@ -283,6 +288,16 @@ private:
     a.powers = {32};
     modeller.improve(mended, with_ring(*mended.topology, touched), a);
     m = std::move(mended);
+  }
+
+  std::string places_of_chords(const Panel_labelling& panels) const
+  {
+    std::vector<std::string> places;
+    for (int v = 0; v < c.number_of_vertices(); ++v)
+      panels.for_each_chord(v, [&](int w) {
+        if (v < w) places.push_back(near_points({in.from_frame(in.points[v]), in.from_frame(in.points[w])}));
+      });
+    return some_of(places);
   }
 
   static void sort_models(std::vector<Panel_model>& models)

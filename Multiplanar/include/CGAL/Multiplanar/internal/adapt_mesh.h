@@ -77,6 +77,7 @@ Approximation_options approximation_options(const TriangleMesh& mesh, const Name
   o.saliency_weight = choose_parameter(get_parameter(np, ours::saliency_weight), o.saliency_weight);
   o.min_edge = choose_parameter(get_parameter(np, ours::minimum_edge_length), o.min_edge);
   o.min_width = choose_parameter(get_parameter(np, ours::minimum_panel_width), o.min_width);
+  o.sheet_thickness = choose_parameter(get_parameter(np, ours::sheet_thickness), o.sheet_thickness);
   return o;
 }
 

@@ -155,6 +155,7 @@ inline void finish(const Connectivity& c, const Points& source, const std::vecto
   const Unit_frame frame(source);
   if (options.min_edge > 0) flat_options.min_edge = options.min_edge / frame.diagonal();
   if (options.min_width > 0) flat_options.min_width = options.min_width / frame.diagonal();
+  flat_options.thickness = options.sheet_thickness / frame.diagonal();
   const Points unit = frame.to_unit(source);
   const Label_costs costs(c, unit, {}, saliency_weights(options.saliency, options.saliency_weight));
   // Panels n times as dense are about n times closer to a curved surface: distances that count so much more are even.
@@ -173,11 +174,13 @@ inline void finish(const Connectivity& c, const Points& source, const std::vecto
   for (int merges = 0; !done.blocked.empty(); ++merges) {
     std::vector<int> labels = done.flat.panel_of_face;
     bool merged = false;
-    for (std::size_t i = 0; i < done.blocked.size() && !merged; ++i)
+    std::string place;
+    for (std::size_t i = 0; i < done.blocked.size() && !merged; ++i) {
+      place = near_panel(done.flat.complex, done.blocked[i]);
       merged = merge_panel(c, source, costs, done.blocked[i], labels);
+    }
     if (!merged) throw std::runtime_error("the mesh cannot be moved to flat panels without intersecting itself");
-    result.notes.push_back("a panel of " + std::to_string(done.flat.complex.number_of_panels()) +
-                           " was merged with a neighbour: the mesh could not be moved there");
+    result.notes.push_back("the panel " + place + " was merged with a neighbour: the mesh could not be moved there");
     const Stopwatch::Lap lap(clock, "flat panels");
     flat_options.max_panels = done.flat.complex.number_of_panels() - 1;
     flat = flat_panels_or_fewer(c, source, costs, {labels}, flat_options, fewest_panels(c.genus()), visitor,

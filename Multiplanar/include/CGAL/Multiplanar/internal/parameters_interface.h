@@ -14,5 +14,6 @@ CGAL_add_named_parameter(face_saliency_map_t, face_saliency_map, face_saliency_m
 CGAL_add_named_parameter(saliency_weight_t, saliency_weight, saliency_weight)
 CGAL_add_named_parameter(minimum_edge_length_t, minimum_edge_length, minimum_edge_length)
 CGAL_add_named_parameter(minimum_panel_width_t, minimum_panel_width, minimum_panel_width)
+CGAL_add_named_parameter(sheet_thickness_t, sheet_thickness, sheet_thickness)
 CGAL_add_named_parameter(panel_complex_t, panel_complex, panel_complex)
 CGAL_add_named_parameter(approximation_result_t, approximation_result, approximation_result)

@@ -31,18 +31,18 @@ void for_each_parallel(int n, int threads, F f)
   for (std::thread& t : others) t.join();
 }
 
-/// Is `a` the better model: fewer faults, or as many, no more offences and a smaller p-norm?
+/// Is `a` the better model: fewer faults, or as many, no more offences and a lower cost?
 inline bool is_better(const Panel_model& a, const Panel_model& b, double factor = 1)
 {
   if (a.faults != b.faults) return a.faults < b.faults;
-  return a.offences <= b.offences && a.merit < factor * b.merit;
+  return a.offences <= b.offences && a.cost() < factor * b.cost();
 }
 
 /// The order of models to choose from.
 inline bool ranks_before(const Panel_model& a, const Panel_model& b)
 {
   if (a.faults != b.faults) return a.faults < b.faults;
-  return a.merit * (1 + 0.02 * a.offences) < b.merit * (1 + 0.02 * b.offences);
+  return a.cost() * (1 + 0.02 * a.offences) < b.cost() * (1 + 0.02 * b.offences);
 }
 
 /// Changes to the set of panels that keep what lowers the distance. At the places where the distance is largest, faces
@@ -85,7 +85,8 @@ public:
     return good;
   }
 
-  /// Tries edits at the worst places until one lowers the p-norm. \return false if none does
+  /// Tries edits at the worst places, and at the longest edges without room for a joint, until one lowers the cost.
+  /// \return false if none does
   bool improve_once(Panel_model& m)
   {
     edits.set_unit((std::max)(m.largest, 1e-9));
@@ -96,6 +97,9 @@ public:
       if (m.panel_error[p] < 0.8 * m.largest) break;
       if (improve_at(m, p, merges)) return true;
     }
+    for (std::size_t i = 0; i < 2 && i < m.lack.edges.size(); ++i)
+      for (int p : m.topology->edges[m.lack.edges[i]].panels)
+        if (improve_at(m, p, merges)) return true;
     return share_all(m);
   }
 
@@ -180,7 +184,7 @@ public:
     attempt_all(m, candidates, local_options, results, ok);
     int best = -1;
     for (int i = 0; i < int(results.size()); ++i)
-      if (ok[i] && results[i].offences < m.offences && (best < 0 || results[i].merit < results[best].merit)) best = i;
+      if (ok[i] && results[i].offences < m.offences && (best < 0 || results[i].cost() < results[best].cost())) best = i;
     if (best < 0) return false;
     m = std::move(results[best]);
     return true;
@@ -291,8 +295,8 @@ private:
   Accuracy_options options_to_beat(const Panel_model& m) const
   {
     Accuracy_options o = local_options;
-    o.expected = m.merit;
-    o.hopeless = 1.4 * m.merit;
+    o.expected = m.cost();
+    o.hopeless = 1.4 * m.cost();
     return o;
   }
 
@@ -321,7 +325,7 @@ private:
     if (!modeller.rebuild(&m, edit, result, touched) || result.faults > m.faults) return false;
     modeller.improve(result, touched, options);
     if (result.faults > m.faults) return false;
-    if (result.merit < promising * m.merit) modeller.improve(result, with_ring(*result.topology, touched), options);
+    if (result.cost() < promising * m.cost()) modeller.improve(result, with_ring(*result.topology, touched), options);
     return result.faults <= m.faults;
   }
 

@@ -76,6 +76,7 @@ inline Json json_approximation_settings(const Approximation_options& o)
           {"smoothness", o.smoothness},
           {"minEdge", o.min_edge},
           {"minWidth", o.min_width},
+          {"sheetThickness", o.sheet_thickness},
           {"saliency", !o.saliency.empty()},
           {"saliency_weight", o.saliency_weight}};
 }
