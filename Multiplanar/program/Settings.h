@@ -20,7 +20,7 @@ enum class Joint_mode; // in Joint_options.h, which takes long to compile
 /// What the command line asks for.
 struct Settings
 {
-  std::string command; ///< make, approximate, fabricate or verify
+  std::string command; ///< make, approximate, fabricate, verify or preview
   std::string input, output;
   std::string saliency_file; ///< empty: none
   CGAL::Multiplanar::Approximation_options approximation;
@@ -29,6 +29,7 @@ struct Settings
   CGAL::Multiplanar::Model_settings model;
   CGAL::Multiplanar::Sheet_options sheet;
   CGAL::Multiplanar::Joint_mode joints = CGAL::Multiplanar::Joint_mode(); ///< automatic
+  bool preview = true; ///< pictures are written with the rest
   Progress::Style progress = Progress::Style::lines;
 };
 

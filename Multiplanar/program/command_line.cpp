@@ -27,10 +27,9 @@ using CGAL::Multiplanar::Joint_mode;
 using CGAL::Multiplanar::Solver;
 
 /// Options and commands of the documented interface that cannot do their work yet.
-const std::vector<std::string> missing_options = {"--palette", "--dpi", "--repair", "--preview", "--source"};
+const std::vector<std::string> missing_options = {"--palette", "--dpi", "--repair", "--source"};
 const std::map<std::string, std::string> missing_commands = {
-    {"compare", "compare with other methods (not available yet)"},
-    {"preview", "pictures of a written model (not available yet)"}};
+    {"compare", "compare with other methods (not available yet)"}};
 
 /// Values that the parser holds as text until they are checked.
 struct Raw_values
@@ -192,7 +191,8 @@ void copy_shared_values(Settings& s)
 void refuse_missing(const CLI::App& command)
 {
   if (missing_commands.count(command.get_name()) > 0)
-    throw usage_error(command.get_name() + " is not available yet: make, approximate, fabricate and verify are");
+    throw usage_error(command.get_name() +
+                      " is not available yet: make, approximate, fabricate, verify and preview are");
   for (const std::string& name : missing_options)
     if (command.get_option_no_throw(name) != nullptr && command.count(name) > 0)
       throw usage_error(name + " is not available yet: leave it out");
@@ -227,7 +227,12 @@ std::optional<Settings> parse_command_line(int argc, char** argv)
   CLI::App* verify = app.add_subcommand("verify", "checks what make or fabricate wrote by digital assembly");
   verify->add_option("DIR", s.input, "folder that make or fabricate wrote")->required()->type_name("");
   verify->footer("");
-  for (CLI::App* command : {make, approximate, fabricate}) {
+  CLI::App* preview = app.add_subcommand("preview", "draws the pictures of what make or fabricate wrote anew");
+  preview->add_option("DIR", s.input, "folder that make or fabricate wrote")->required()->type_name("");
+  for (CLI::App* command : {make, fabricate})
+    command->add_flag("--preview,!--no-preview", s.preview, "pictures of all in the folder preview (yes)")
+        ->group("Run");
+  for (CLI::App* command : {make, approximate, fabricate, preview}) {
     add_run_options(*command, s, raw);
     command->footer("");
   }

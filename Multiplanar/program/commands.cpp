@@ -7,6 +7,7 @@
 #include "fabricate.h"
 #include "failure.h"
 #include "panels_of_shell.h"
+#include "previews.h"
 #include "read_mesh.h"
 #include "run_approximation.h"
 #include "saliency.h"
@@ -93,8 +94,21 @@ public:
     progress.update("write", 0);
     write_shell(output, "shell.ply", mesh, points, panel_of_face);
     write_model(output, model, report);
+    if (settings.preview) write_pictures(output, model, mesh);
     output.commit();
     progress.finish();
+  }
+
+  void write_pictures(Output& output, const Model& model, const Input_mesh& mesh)
+  {
+    progress.update("preview", 0);
+    const File_writer write = [&](const std::string& name, const std::function<void(std::ostream&)>& write_to) {
+      output.write(name, write_to);
+    };
+    const Preview_view view = preview_view(model.complex, settings.approximation.threads);
+    if (settings.command == "make")
+      write_input_preview(write, mesh_scene(mesh.points, mesh.connectivity.triangles, view.up), view);
+    write_model_previews(write, model, view);
   }
 
   void summarize(const Model& model, const std::string& look_at) const

@@ -5,11 +5,11 @@
 #include "failure.h"
 
 #include <CGAL/Multiplanar/Sheet_drawing.h>
+#include <CGAL/Multiplanar/assembled_parts.h>
 #include <CGAL/Multiplanar/engrave_ids.h>
 #include <CGAL/Multiplanar/io/write_model_json.h>
 #include <CGAL/Multiplanar/io/write_panels_obj.h>
 #include <CGAL/Multiplanar/io/write_svg.h>
-#include <CGAL/Multiplanar/parts_from_joints.h>
 #include <CGAL/Multiplanar/row_packing.h>
 
 #include <cmath>
@@ -46,21 +46,23 @@ void warn_of_blank_parts(const std::vector<std::string>& blank, std::vector<std:
   warnings.push_back("too small for an engraved id:" + list);
 }
 
-/// Makes the parts and joins them.
+/// Makes the parts, joins them, and finds an order to put them together.
 void join_parts(Model& model, const Settings& s, std::vector<std::string>& warnings)
 {
   Joint_options options;
   options.thickness = s.model.thickness;
   options.mode = s.joints;
-  Joined_parts joined = make_joined_parts(model.complex, options);
+  Assembled_parts assembled = make_assembled_parts(model.complex, options);
+  Joined_parts& joined = assembled.joined;
   if (joined.parts.empty())
     throw input_error(s.input + ": nothing is left of its panels at this --size and --thickness: make the model larger "
                                 "or the material thinner");
   model.parts = std::move(joined.parts);
   model.joints = std::move(joined.joints);
+  model.assembly = std::move(assembled.steps);
   if (s.joints == Joint_mode::none)
     for (Edge_joint& joint : model.joints) joint.reason = "no joints were asked for";
-  warnings.insert(warnings.end(), joined.warnings.begin(), joined.warnings.end());
+  warnings.insert(warnings.end(), assembled.warnings.begin(), assembled.warnings.end());
 }
 
 } // namespace

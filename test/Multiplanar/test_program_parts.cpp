@@ -72,7 +72,7 @@ TEST_F(Program_test, materials_set_the_measures_and_options_override_them)
 {
   const std::string shell = write("box.ply", box_shell(2, 1, 1));
   const auto settings = [&](std::vector<std::string> options) {
-    std::vector<std::string> arguments{"fabricate", shell, "-o", path("out"), "--quiet"};
+    std::vector<std::string> arguments{"fabricate", shell, "-o", path("out"), "--quiet", "--no-preview"};
     arguments.insert(arguments.end(), options.begin(), options.end());
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
@@ -102,7 +102,9 @@ TEST_F(Program_test, fit_changes_what_is_cut_but_no_part)
   const std::string shell = write("box.ply", box_shell(2, 1, 1));
   for (const char* fit : {"0", "0.2"})
     for (const char* joints : {"connectors", "teeth"})
-      ASSERT_EQ(run({"fabricate", shell, "-o", path(std::string(joints) + fit), "--joints", joints, "--fit", fit}).code,
+      ASSERT_EQ(run({"fabricate", shell, "-o", path(std::string(joints) + fit), "--joints", joints, "--fit", fit,
+                     "--no-preview"})
+                    .code,
                 0);
   for (const std::string joints : {"connectors", "teeth"}) {
     const json loose = read(path(joints + "0/model.json")), tight = read(path(joints + "0.2/model.json"));
@@ -116,7 +118,7 @@ TEST_F(Program_test, a_panel_that_falls_apart_is_cut_in_pieces)
 {
   const std::string shell =
       write("hourglass.ply", prism_shell({{0, 0}, {100, 0}, {52, 50}, {100, 100}, {0, 100}, {48, 50}}, 20, 2));
-  const Outcome outcome = run({"fabricate", shell, "-o", path("out"), "--size", "100"});
+  const Outcome outcome = run({"fabricate", shell, "-o", path("out"), "--size", "100", "--no-preview"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   std::set<std::string> ids;
   const json model = read(path("out/model.json"));
@@ -131,7 +133,7 @@ TEST_F(Program_test, a_panel_that_falls_apart_is_cut_in_pieces)
 TEST_F(Program_test, a_panel_that_vanishes_is_named)
 {
   const std::string shell = write("plate.ply", box_shell(100, 80, 5));
-  const Outcome outcome = run({"fabricate", shell, "-o", path("out"), "--size", "100"});
+  const Outcome outcome = run({"fabricate", shell, "-o", path("out"), "--size", "100", "--no-preview"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_TRUE(has_warning(read(path("out/report.json")), "P02 (8000 mm2) vanishes"));
   EXPECT_NE(outcome.out.find("P02 (8000 mm2) vanishes"), std::string::npos) << outcome.out;

@@ -4,6 +4,7 @@
 #ifndef CGAL_MULTIPLANAR_MODEL_H
 #define CGAL_MULTIPLANAR_MODEL_H
 
+#include <CGAL/Multiplanar/Assembly.h>
 #include <CGAL/Multiplanar/Panel_complex.h>
 #include <CGAL/Multiplanar/Part.h>
 #include <CGAL/Multiplanar/Sheet.h>
@@ -66,6 +67,7 @@ struct Model
   std::vector<Edge_joint> joints; ///< by edge of the complex
   std::vector<Part> parts;
   std::vector<Sheet> sheets;
+  std::vector<Assembly_step> assembly; ///< empty if there is no order
 };
 
 /// "P07": the letter and the number counted from 1, with at least `digits` digits, and enough for `count` of them.

@@ -22,6 +22,9 @@ struct Truncation_options
   /// Material narrower than this, in mm, burns away: it is taken off, and pieces of that width (twice area over
   /// perimeter) are dropped; beside a larger piece, those under twice of it too, which break.
   double thinnest = 0.5;
+  /// Two panels of this list are cut free of each other over their approach whatever that costs; of any other pair, the
+  /// later one is only if it keeps three quarters of its area.
+  std::vector<int> freed;
   double smallest = -1; ///< pieces of less area, in mm^2, are dropped; negative: thickness squared
 
   double approach_length() const { return approach < 0 ? thickness + 1 : approach; }

@@ -23,6 +23,7 @@ struct Joined_parts
   std::vector<Edge_joint> joints;            ///< by edge of the complex
   std::vector<int> edge_of_part;             ///< by part: the edge of a connector, -1 for panels
   std::vector<int> panel_of_part;            ///< by part: the panel, -1 for connectors
+  std::vector<std::array<int, 2>> hosts;     ///< by part: the parts that a connector's tabs go through, -1 for panels
   std::vector<std::array<int, 2>> overhangs; ///< panels {first, later}: these must be placed in that order
   std::vector<std::string> warnings;
 };
@@ -122,8 +123,10 @@ inline Joined_parts parts_from_joints(const Panel_complex& complex, const Joints
   for (const Truncated_panel& panel : joints.truncation.panels) frames.push_back(panel.frame);
   std::vector<int> rank(frames.size());
   for (int i = 0; i < int(rank.size()); ++i) rank[joints.truncation.order[i]] = i;
+  std::vector<int> first_part; // by panel
   for (int p = 0; p < int(frames.size()); ++p) {
     const auto& pieces = joints.truncation.panels[p].pieces;
+    first_part.push_back(int(result.parts.size()));
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       Part part;
       part.id = piece_id(complex, p, i, pieces.size());
@@ -138,13 +141,17 @@ inline Joined_parts parts_from_joints(const Panel_complex& complex, const Joints
       result.parts.push_back(std::move(part));
       result.edge_of_part.push_back(-1);
       result.panel_of_part.push_back(p);
+      result.hosts.push_back({{-1, -1}});
     }
   }
   for (std::size_t i = 0; i < joints.connectors.size(); ++i) {
     result.parts.push_back(
         internal::connector_part(joints.connectors[i], connector_id(int(i), joints.connectors.size())));
-    result.edge_of_part.push_back(joints.connectors[i].edge);
+    const Placed_connector& c = joints.connectors[i];
+    const auto& panels = complex.edges[c.edge].panels;
+    result.edge_of_part.push_back(c.edge);
     result.panel_of_part.push_back(-1);
+    result.hosts.push_back({{first_part[panels[0]] + c.pieces[0], first_part[panels[1]] + c.pieces[1]}});
   }
   return result;
 }

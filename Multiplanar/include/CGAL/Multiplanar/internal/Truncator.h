@@ -158,8 +158,10 @@ private:
       }
   }
 
+  bool is_freed(int p) const { return std::find(options.freed.begin(), options.freed.end(), p) != options.freed.end(); }
+
   /// Cuts panel `p` free of panel `q`, placed before it, over the last part of the way it comes; unless that costs more
-  /// than a quarter of it.
+  /// than a quarter of it (and is not called for).
   void clear_approach(int p, int q, const Slab& slab, Exact_polygon_set& set, std::vector<int>& overhung_by,
                       std::vector<int>& blocked_by) const
   {
@@ -171,7 +173,7 @@ private:
     Slab_cuts::subtract(cuts, freed);
     const double before = area_of(set), after = area_of(freed);
     if (after > before - 1e-6 * (1 + before)) return;
-    if (after < 0.75 * before) return blocked_by.push_back(q);
+    if (after < 0.75 * before && !(is_freed(p) && is_freed(q))) return blocked_by.push_back(q);
     overhung_by.push_back(q);
     set = freed;
   }

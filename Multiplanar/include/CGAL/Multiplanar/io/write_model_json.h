@@ -87,6 +87,16 @@ inline Json json_sheet(const Model& model, int s)
   return {{"file", sheet_file(s, "svg")}, {"width", sheet.width}, {"height", sheet.height}, {"placements", placements}};
 }
 
+inline Json json_step(const Model& model, int s)
+{
+  const Assembly_step& step = model.assembly[s];
+  Json parts = Json::array();
+  for (const int part : step.parts) parts.push_back(model.parts[part].id);
+  Json result = {{"step", s + 1}, {"parts", parts}, {"direction", to_json(step.direction)}, {"travel", step.travel}};
+  if (step.approach) result["approach"] = to_json(*step.approach);
+  return result;
+}
+
 } // namespace internal
 
 /*!
@@ -112,6 +122,7 @@ inline void write_model_json(std::ostream& out, const Model& model)
   for (int e = 0; e < model.complex.number_of_edges(); ++e) json["edges"].push_back(json_edge(model, e));
   for (const Part& part : model.parts) json["parts"].push_back(json_part(part));
   for (int s = 0; s < int(model.sheets.size()); ++s) json["sheets"].push_back(json_sheet(model, s));
+  for (int s = 0; s < int(model.assembly.size()); ++s) json["assembly"].push_back(json_step(model, s));
   write_json(out, json);
 }
 
