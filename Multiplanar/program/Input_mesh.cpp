@@ -110,10 +110,13 @@ Input_mesh make_input_mesh(Polygon_soup soup, const std::string& file)
   refuse_flat_triangles(faces, mesh.points, file);
   if (is_inside_out(faces.triangles, mesh.points)) {
     for (auto& t : faces.triangles) std::swap(t[1], t[2]);
+    for (auto& c : faces.corners) std::swap(c[1], c[2]);
     mesh.notes.push_back("all faces looked inward: they were turned");
   }
   mesh.connectivity = connect(faces, int(mesh.points.size()), file);
   mesh.face_of_triangle = std::move(faces.face_of_triangle);
+  mesh.corners = std::move(faces.corners);
+  mesh.appearance = std::move(soup.appearance);
   mesh.faces_in_file = soup.number_of_faces();
   mesh.face_properties = std::move(soup.face_properties);
   refuse_intersections(mesh);

@@ -21,6 +21,8 @@ struct Input_mesh
   std::vector<int> face_of_triangle;                      ///< the face of the file that a triangle belongs to
   int faces_in_file = 0;
   std::map<std::string, std::vector<double>> face_properties; ///< by face of the file
+  std::vector<std::array<int, 3>> corners;                    ///< by triangle: places in the lists of `appearance`
+  Soup_appearance appearance;                                 ///< colours and texture points by corner of the file
   double diagonal = 0;                                        ///< of the bounding box
   std::vector<std::string> notes;                             ///< what was done to the mesh
 };

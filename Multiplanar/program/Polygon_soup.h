@@ -4,6 +4,8 @@
 #ifndef MULTIPLANAR_PROGRAM_POLYGON_SOUP_H
 #define MULTIPLANAR_PROGRAM_POLYGON_SOUP_H
 
+#include "Soup_appearance.h"
+
 #include <array>
 #include <map>
 #include <string>
@@ -16,6 +18,8 @@ struct Polygon_soup
   std::vector<int> indices;                  ///< of the vertices of all faces, one face after the other
   std::vector<std::size_t> face_begin{0};    ///< where each face begins in `indices`, and the end
   std::map<std::string, std::vector<double>> face_properties; ///< those asked for, one value a face
+
+  Soup_appearance appearance;
 
   int number_of_faces() const { return int(face_begin.size()) - 1; }
   int face_size(int f) const { return int(face_begin[f + 1] - face_begin[f]); }

@@ -23,13 +23,15 @@ struct Settings
   std::string command; ///< make, approximate, fabricate, verify or preview
   std::string input, output;
   std::string saliency_file; ///< empty: none
+  std::string source;        ///< the mesh that a shell was made from, for its looks; empty: none
+  double dpi = 150;          ///< of textures
   CGAL::Multiplanar::Approximation_options approximation;
   double min_edge = -1;  ///< mm on the finished model; negative: half the thickness
   double min_width = -1; ///< mm on the finished model; negative: the thickness
   CGAL::Multiplanar::Model_settings model;
   CGAL::Multiplanar::Sheet_options sheet;
   CGAL::Multiplanar::Joint_mode joints = CGAL::Multiplanar::Joint_mode(); ///< automatic
-  bool preview = true; ///< pictures are written with the rest
+  bool preview = true;                                                    ///< pictures are written with the rest
   Progress::Style progress = Progress::Style::lines;
 };
 

@@ -20,6 +20,17 @@ void Text_scanner::skip_line()
   while (!at_line_end()) ++position;
 }
 
+std::string_view Text_scanner::rest_of_line()
+{
+  const auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\f' || c == '\v'; };
+  while (!at_line_end() && is_space(text[position])) ++position;
+  const std::size_t begin = position;
+  skip_line();
+  std::size_t end = position;
+  while (end > begin && is_space(text[end - 1])) --end;
+  return text.substr(begin, end - begin);
+}
+
 bool Text_scanner::next_line()
 {
   if (begun) skip_line();

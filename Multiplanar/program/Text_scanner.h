@@ -24,6 +24,8 @@ public:
   /// The next word of the text; what is missing at its end is named by `what`.
   std::string_view word_across_lines(const char* what);
   void skip_line();
+  /// All that is left of the line, without space around it; '#' counts as any other character.
+  std::string_view rest_of_line();
 
   /// The number that a word says. \throws Failure if it is none, or not finite
   double coordinate(std::string_view word) const;

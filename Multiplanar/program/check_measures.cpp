@@ -60,6 +60,8 @@ void check_measures(const Settings& s)
 {
   check_sheet(s);
   check_material(s);
+  if (!(s.dpi >= 10 && s.dpi <= 2400))
+    throw usage_error("--dpi " + text(s.dpi) + ": give a number from 10 to 2400 dots per inch");
   require_count("--iterations", s.approximation.iterations, 1, 100000);
   require_count("--restarts", s.approximation.restarts, 1, 100000);
   require_count("--threads", s.approximation.threads, 0, 1024);

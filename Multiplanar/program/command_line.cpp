@@ -27,7 +27,7 @@ using CGAL::Multiplanar::Joint_mode;
 using CGAL::Multiplanar::Solver;
 
 /// Options and commands of the documented interface that cannot do their work yet.
-const std::vector<std::string> missing_options = {"--palette", "--dpi", "--repair", "--source"};
+const std::vector<std::string> missing_options = {"--palette", "--repair"};
 const std::map<std::string, std::string> missing_commands = {
     {"compare", "compare with other methods (not available yet)"}};
 
@@ -84,9 +84,10 @@ void add_fabrication_options(CLI::App& app, Settings& s, Raw_values& raw)
   app.add_option("--fit", s.model.fit, "how much wider than its slot a tab is cut (0.05)")->type_name("MM");
   app.add_option("--sheet", raw.sheet, "size of the material (600x400)")->type_name("WxH");
   app.add_option("--joints", raw.joints, "auto, connectors, teeth or none (auto)")->type_name("NAME");
+  app.add_option("--dpi", s.dpi, "dots per inch of textures (150)")->type_name("N");
   app.add_option("--engrave", raw.engrave, "ids inside or outside of the model (inside)")->type_name("NAME");
   for (const char* name :
-       {"--size", "--material", "--thickness", "--kerf", "--fit", "--sheet", "--joints", "--engrave"})
+       {"--size", "--material", "--thickness", "--kerf", "--fit", "--sheet", "--joints", "--dpi", "--engrave"})
     app.get_option(name)->group("Cutting");
 }
 
@@ -213,12 +214,13 @@ std::optional<Settings> parse_command_line(int argc, char** argv)
   app.require_subcommand(1);
   app.set_help_flag("-h,--help", "this text");
 
-  CLI::App* make = app.add_subcommand("make", "everything: from a mesh (OFF, PLY, STL, OBJ) to sheets ready to cut");
-  add_files(*make, s, "mesh: OFF, PLY, STL or OBJ", "folder to write");
+  CLI::App* make =
+      app.add_subcommand("make", "everything: from a mesh (OFF, PLY, STL, OBJ, GLB) to sheets ready to cut");
+  add_files(*make, s, "mesh: OFF, PLY, STL, OBJ or GLB", "folder to write");
   add_approximation_options(*make, s, raw);
   add_fabrication_options(*make, s, raw);
   CLI::App* approximate = app.add_subcommand("approximate", "the mesh made of flat panels only, as PLY");
-  add_files(*approximate, s, "mesh: OFF, PLY, STL or OBJ", "PLY file to write");
+  add_files(*approximate, s, "mesh: OFF, PLY, STL, OBJ or GLB", "PLY file to write");
   add_approximation_options(*approximate, s, raw);
   add_measures(*approximate, s);
   CLI::App* fabricate = app.add_subcommand("fabricate", "from such a PLY to sheets ready to cut");
@@ -229,6 +231,9 @@ std::optional<Settings> parse_command_line(int argc, char** argv)
   verify->footer("");
   CLI::App* preview = app.add_subcommand("preview", "draws the pictures of what make or fabricate wrote anew");
   preview->add_option("DIR", s.input, "folder that make or fabricate wrote")->required()->type_name("");
+  fabricate->add_option("--source", s.source, "the mesh that the PLY was made from: its colours go onto the panels")
+      ->type_name("FILE")
+      ->group("Cutting");
   for (CLI::App* command : {make, fabricate})
     command->add_flag("--preview,!--no-preview", s.preview, "pictures of all in the folder preview (yes)")
         ->group("Run");

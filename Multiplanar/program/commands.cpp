@@ -6,12 +6,14 @@
 #include "Output.h"
 #include "fabricate.h"
 #include "failure.h"
+#include "load_appearance.h"
 #include "panels_of_shell.h"
 #include "previews.h"
 #include "read_mesh.h"
 #include "run_approximation.h"
 #include "saliency.h"
 #include "summary.h"
+#include "textures.h"
 
 #include <CGAL/Multiplanar/io/write_shell_ply.h>
 #include <CGAL/Multiplanar/Joint_options.h>
@@ -23,6 +25,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 using namespace CGAL::Multiplanar;
 
@@ -44,17 +47,25 @@ public:
 
   Input_mesh read(const std::vector<std::string>& face_properties)
   {
-    progress.update("read", 0);
-    Polygon_soup soup = read_mesh(settings.input, face_properties);
-    progress.update("read", 0.3);
-    Input_mesh mesh = make_input_mesh(std::move(soup), settings.input);
-    progress.finish();
+    Input_mesh mesh = read_file(settings.input, face_properties);
     report.input = {mesh.connectivity.number_of_vertices(), mesh.connectivity.number_of_faces(),
                     mesh.connectivity.genus(), mesh.diagonal};
     warn(mesh.notes);
     report.seconds = progress.seconds();
     return mesh;
   }
+
+  /// The mesh that a shell was made from. \throws Failure if it has other triangles
+  Input_mesh read_source(const Input_mesh& shell)
+  {
+    Input_mesh source = read_file(settings.source, {});
+    if (source.connectivity.triangles != shell.connectivity.triangles)
+      throw input_error(settings.source + ": its triangles are not those of " + shell.file +
+                        ": give the mesh that it was made from");
+    return source;
+  }
+
+  Surface_appearance looks_of(const Input_mesh& mesh) { return load_appearance(mesh, report.warnings); }
 
   Approximation_result approximate(const Input_mesh& mesh)
   {
@@ -84,31 +95,49 @@ public:
                    const std::vector<int>& panel_of_face)
   {
     output.write(name, [&](std::ostream& out) {
-      write_shell_ply(out, points, mesh.connectivity.triangles, panel_of_face, {"multiplanar " MULTIPLANAR_VERSION});
+      write_shell_ply(out, points, mesh.connectivity.triangles, panel_of_face, {"multiplanar " MULTIPLANAR_VERSION},
+                      texture_points_of(mesh));
     });
   }
 
-  void write_folder(Output& output, const Model& model, const Input_mesh& mesh, const Points& points,
+  /// \param source the mesh that was read first, whose looks the panels get
+  /// \param points, panel_of_face the mesh that became the panels, in the units of the source
+  void write_folder(Output& output, Model& model, const Input_mesh& source, const Points& points,
                     const std::vector<int>& panel_of_face)
   {
+    const File_writer write = [&](const std::string& name, const std::function<void(std::ostream&)>& write_to) {
+      output.write(name, write_to);
+    };
+    const Surface_appearance looks = looks_of(source);
+    Texture_source textured{looks, source.connectivity.triangles, panel_of_face, {}};
+    std::optional<Textures> textures;
+    if (!looks.empty()) {
+      for (const Point_3& p : points)
+        textured.points.emplace_back(p.x() * model.scale, p.y() * model.scale, p.z() * model.scale);
+      Baking_options options;
+      options.dpi = settings.dpi;
+      textures.emplace(model, textured, options, settings.sheet.gap, settings.approximation.threads);
+      textures->write(write, progress);
+      report.textures = Texture_counts{textures->number_of_images(), options.dpi, options.bleed, {}};
+      if (&points != &source.points)
+        report.textures->distortion = texture_distortion(source.connectivity.triangles, source.points, points);
+    }
     progress.update("write", 0);
-    write_shell(output, "shell.ply", mesh, points, panel_of_face);
+    write_shell(output, "shell.ply", source, points, panel_of_face);
     write_model(output, model, report);
-    if (settings.preview) write_pictures(output, model, mesh);
+    if (settings.preview)
+      write_pictures(write, model, source, looks, textures ? textures->pictures() : Part_pictures());
     output.commit();
     progress.finish();
   }
 
-  void write_pictures(Output& output, const Model& model, const Input_mesh& mesh)
+  void write_pictures(const File_writer& write, const Model& model, const Input_mesh& source,
+                      const Surface_appearance& looks, const Part_pictures& pictures)
   {
     progress.update("preview", 0);
-    const File_writer write = [&](const std::string& name, const std::function<void(std::ostream&)>& write_to) {
-      output.write(name, write_to);
-    };
     const Preview_view view = preview_view(model.complex, settings.approximation.threads);
-    if (settings.command == "make")
-      write_input_preview(write, mesh_scene(mesh.points, mesh.connectivity.triangles, view.up), view);
-    write_model_previews(write, model, view);
+    write_input_preview(write, mesh_scene(source.points, source.connectivity.triangles, view.up, looks), view);
+    write_model_previews(write, model, view, pictures);
   }
 
   void summarize(const Model& model, const std::string& look_at) const
@@ -120,6 +149,16 @@ public:
   std::string first_sheet() const { return settings.output + "/" + sheet_file(0, "svg"); }
 
 private:
+  Input_mesh read_file(const std::string& file, const std::vector<std::string>& face_properties)
+  {
+    progress.update("read", 0);
+    Polygon_soup soup = read_mesh(file, face_properties);
+    progress.update("read", 0.3);
+    Input_mesh mesh = make_input_mesh(std::move(soup), file);
+    progress.finish();
+    return mesh;
+  }
+
   /// Shortest edge, smallest width and thickness in the units of the mesh.
   void set_smallest_measures(const Input_mesh& mesh, Approximation_options& options) const
   {
@@ -152,7 +191,7 @@ void make(const Settings& settings, Progress& progress)
   Output output(Output::Kind::folder, settings.output);
   const Input_mesh mesh = run.read({});
   const Approximation_result result = run.approximate(mesh);
-  const Model model = run.make_parts(result.complex);
+  Model model = run.make_parts(result.complex);
   run.write_folder(output, model, mesh, result.points, result.panel_of_face);
   run.summarize(model, run.first_sheet());
 }
@@ -179,7 +218,8 @@ void fabricate(const Settings& given, Progress& progress)
   const std::vector<int> panel_of_face = panels_of_shell(mesh);
   const Panel_complex complex = complex_of_shell(mesh, panel_of_face);
   settings.model.panels = complex.number_of_panels();
-  const Model model = run.make_parts(complex);
-  run.write_folder(output, model, mesh, mesh.points, panel_of_face);
+  Model model = run.make_parts(complex);
+  if (settings.source.empty()) run.write_folder(output, model, mesh, mesh.points, panel_of_face);
+  else run.write_folder(output, model, run.read_source(mesh), mesh.points, panel_of_face);
   run.summarize(model, run.first_sheet());
 }

@@ -90,7 +90,9 @@ Ply_header read_ply_header(Text_scanner& scanner)
       if (header.elements.empty()) throw scanner.error("a property before the first element");
       header.elements.back().properties.push_back(read_property(scanner));
     } else if (keyword == "end_header") break;
-    else if (keyword != "ply" && keyword != "comment" && keyword != "obj_info")
+    else if (keyword == "comment") {
+      if (scanner.word() == "TextureFile") header.texture_files.emplace_back(scanner.rest_of_line());
+    } else if (keyword != "ply" && keyword != "obj_info")
       throw scanner.error(quoted(std::string(keyword)) + " is not a statement of a PLY header");
     scanner.skip_line();
   }

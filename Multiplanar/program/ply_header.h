@@ -49,6 +49,7 @@ struct Ply_header
 
   Encoding encoding = Encoding::ascii;
   std::vector<Ply_element> elements;
+  std::vector<std::string> texture_files; ///< what lines "comment TextureFile ..." name
 };
 
 /// Reads up to and with the line `end_header`. \pre the scanner stands at the beginning of the file

@@ -7,7 +7,7 @@
 #include "sheet_picture.h"
 #include "write_png.h"
 
-#include <cstdlib>
+#include <map>
 
 using namespace CGAL::Multiplanar;
 
@@ -26,10 +26,12 @@ void write_scene(const File_writer& write, const std::string& name, const Scene&
 void write_sheets(const File_writer& write, const Model& model)
 {
   const std::vector<Linear_colour> colours = panel_colours(model.complex);
-  const auto colour_of = [&](const std::string& id) {
-    const int panel = id.empty() || id[0] != 'P' ? -1 : std::atoi(id.c_str() + 1) - 1;
-    return panel >= 0 && panel < int(colours.size()) ? colours[panel] : Linear_colour{0.85f, 0.72f, 0.55f};
-  };
+  std::map<std::string, Linear_colour> by_id;
+  for (const Part& part : model.parts) {
+    const int panel = panel_number(part);
+    by_id[part.id] = panel >= 0 && panel < int(colours.size()) ? colours[panel] : Linear_colour{0.85f, 0.72f, 0.55f};
+  }
+  const auto colour_of = [&](const std::string& id) { return by_id[id]; };
   for (int s = 0; s < int(model.sheets.size()); ++s) {
     const Sheet_drawing drawing = draw_sheet(model.sheets[s], model.parts, model.settings.kerf, model.settings.fit);
     const Image image = sheet_picture(drawing, 1800, colour_of);

@@ -66,12 +66,22 @@ Format format_of_content(std::string_view bytes)
   return Format::unknown;
 }
 
+/// Colours of vertices become colours of corners, which joining vertices leaves alone.
+void spread_colours(Polygon_soup& soup)
+{
+  Soup_appearance& looks = soup.appearance;
+  if (looks.vertex_colours.empty()) return;
+  looks.corner_colours.clear();
+  for (int v : soup.indices) looks.corner_colours.push_back(looks.vertex_colours[std::size_t(v)]);
+  looks.vertex_colours = {};
+}
+
 } // namespace
 
 Polygon_soup read_mesh(const std::string& file, const std::vector<std::string>& face_properties)
 {
   const std::string bytes = read_file(file);
-  if (bytes.empty()) throw input_error(file + ": the file is empty: give a mesh (OFF, PLY, STL, OBJ)");
+  if (bytes.empty()) throw input_error(file + ": the file is empty: give a mesh (OFF, PLY, STL, OBJ, GLB)");
   Format format = format_of_content(bytes);
   if (format == Format::unknown) format = format_of_extension(extension_of(file));
   Polygon_soup soup;
@@ -89,10 +99,12 @@ Polygon_soup read_mesh(const std::string& file, const std::vector<std::string>& 
     soup = read_obj(bytes, file);
     break;
   case Format::gltf:
-    throw input_error(file + ": reading glTF is not available yet: convert it to OBJ, PLY, OFF or STL");
+    soup = read_gltf(bytes, file);
+    break;
   case Format::unknown:
-    throw input_error(file + ": not a mesh in a known format: give OFF, PLY, STL or OBJ");
+    throw input_error(file + ": not a mesh in a known format: give OFF, PLY, STL, OBJ or GLB");
   }
+  spread_colours(soup);
   if (soup.points.empty() || soup.number_of_faces() == 0)
     throw input_error(file + ": the mesh is empty (" + std::to_string(soup.points.size()) + " vertices, " +
                       std::to_string(soup.number_of_faces()) + " faces): give a closed surface");

@@ -10,10 +10,11 @@
 #include <string_view>
 #include <vector>
 
-// The readers are our own, small ones: they keep the order of vertices and faces, say at which line a file is wrong,
-// and trust no count that a file announces.
+// The readers of text formats and PLY are our own, small ones: they keep coordinates as doubles (the mesh libraries
+// that read so many formats keep floats) and the order of vertices and faces, say at which line a file is wrong, and
+// trust no count that a file announces. glTF, whose numbers are floats, is read by Assimp.
 
-/// Reads an OFF, PLY, STL or OBJ file; its content decides which, its extension where the content leaves it open.
+/// Reads an OFF, PLY, STL, OBJ or glTF file; its content decides which, its extension where the content leaves it open.
 /// \param face_properties names of scalar face properties of a PLY file to be kept if they are there
 /// \throws Failure (exit_input) that names the file and the line, vertex or face
 Polygon_soup read_mesh(const std::string& file, const std::vector<std::string>& face_properties = {});
@@ -21,6 +22,7 @@ Polygon_soup read_mesh(const std::string& file, const std::vector<std::string>& 
 /// The readers of each format. `name` is that of the file, for messages.
 Polygon_soup read_off(std::string_view text, const std::string& name);
 Polygon_soup read_obj(std::string_view text, const std::string& name);
+Polygon_soup read_gltf(std::string_view bytes, const std::string& name);
 Polygon_soup read_stl(std::string_view bytes, const std::string& name);
 Polygon_soup read_ply(std::string_view bytes, const std::string& name, const std::vector<std::string>& face_properties);
 

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Multiplanar authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "Ply_looks.h"
 #include "Ply_values.h"
 #include "read_mesh.h"
 
@@ -18,7 +19,9 @@ double coordinate(const Ply_values& values, double x, const std::string& where)
   return x;
 }
 
-void skip_property(const Ply_property& property, Ply_values& values, const std::string& where)
+/// Reads a property and hands each of its values on.
+template <class Take>
+void read_property(const Ply_property& property, Ply_values& values, const std::string& where, const Take& take)
 {
   long long count = 1;
   if (property.is_list) {
@@ -27,18 +30,23 @@ void skip_property(const Ply_property& property, Ply_values& values, const std::
     count = (long long)(announced);
     if (values.holds_fewer_than(count)) throw values.error(where, "the file ends within a list: it is cut short");
   }
-  for (long long i = 0; i < count; ++i) values.next(property.type);
+  for (long long i = 0; i < count; ++i) take(values.next(property.type));
 }
 
-void read_vertex(const Ply_element& element, long long v, Ply_values& values, Polygon_soup& soup)
+void read_vertex(const Ply_element& element, long long v, Ply_values& values, Polygon_soup& soup, Ply_looks& looks)
 {
   const std::string where = "vertex " + std::to_string(v);
   std::array<double, 3> point{};
+  looks.begin_vertex();
   for (const Ply_property& property : element.properties)
     if (!property.is_list && property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z')
       point[property.name[0] - 'x'] = coordinate(values, values.next(property.type), where);
-    else skip_property(property, values, where);
+    else
+      read_property(property, values, where, [&](double value) {
+        if (!property.is_list) looks.value(property, value);
+      });
   soup.points.push_back(point);
+  looks.end_vertex();
 }
 
 void read_indices(const Ply_property& property, Ply_values& values, const std::string& where, long long vertices,
@@ -63,15 +71,21 @@ bool is_vertex_list(const Ply_property& p)
 }
 
 void read_face(const Ply_element& element, long long f, Ply_values& values, const Names& wanted, long long vertices,
-               Polygon_soup& soup)
+               Polygon_soup& soup, Ply_looks& looks)
 {
   const std::string where = "face " + std::to_string(f);
+  looks.begin_face();
   for (const Ply_property& property : element.properties)
     if (is_vertex_list(property)) read_indices(property, values, where, vertices, soup);
     else if (!property.is_list && std::find(wanted.begin(), wanted.end(), property.name) != wanted.end())
       soup.face_properties[property.name].push_back(values.next(property.type));
-    else skip_property(property, values, where);
+    else
+      read_property(property, values, where, [&](double value) {
+        if (!property.is_list) looks.value(property, value);
+        else if (property.name == "texcoord") looks.texture_coordinate(value);
+      });
   soup.close_face();
+  looks.end_face(soup.face_size(soup.number_of_faces() - 1));
 }
 
 /// \throws Failure unless exactly one of the properties is meant by `is_meant`
@@ -112,6 +126,7 @@ Polygon_soup read_ply(std::string_view bytes, const std::string& name, const Nam
   check_elements(header, scanner);
   Ply_values values(bytes, scanner, header.encoding, name);
   Polygon_soup soup;
+  Ply_looks looks;
   long long vertices = 0;
   for (const Ply_element& element : header.elements) {
     if (element.properties.empty()) continue;
@@ -120,11 +135,12 @@ Polygon_soup read_ply(std::string_view bytes, const std::string& name, const Nam
                          std::to_string(element.count) + " are announced, but the file is too short for them");
     if (element.name == "vertex") vertices = element.count;
     for (long long i = 0; i < element.count; ++i)
-      if (element.name == "vertex") read_vertex(element, i, values, soup);
-      else if (element.name == "face") read_face(element, i, values, face_properties, vertices, soup);
+      if (element.name == "vertex") read_vertex(element, i, values, soup, looks);
+      else if (element.name == "face") read_face(element, i, values, face_properties, vertices, soup, looks);
       else
         for (const Ply_property& property : element.properties)
-          skip_property(property, values, quoted(element.name) + " " + std::to_string(i));
+          read_property(property, values, quoted(element.name) + " " + std::to_string(i), [](double) {});
   }
+  looks.finish(soup, header, name);
   return soup;
 }

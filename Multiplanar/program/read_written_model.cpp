@@ -123,11 +123,10 @@ Sheet sheet_of(const Json& j, const std::map<std::string, int>& parts)
   return sheet;
 }
 
-Written_folder folder_of(const Json& json)
+Model model_of(const Json& json)
 {
   expect(json.is_object() && json.value("format", "") == "multiplanar-model", "it is no model of this program");
-  Written_folder result;
-  Model& model = result.model;
+  Model model;
   model.input_file = json.at("input").at("file").get<std::string>();
   model.scale = json.at("input").at("scale").get<double>();
   const Json& settings = json.at("settings");
@@ -143,21 +142,21 @@ Written_folder folder_of(const Json& json)
     parts.emplace(model.parts.back().id, int(parts.size()));
     if (!p.contains("texture")) continue;
     const Json& t = p.at("texture");
-    result.textures[model.parts.back().id] = {t.at("file").get<std::string>(), point_2(t.at("origin")),
-                                              t.at("mm_per_pixel").get<double>()};
+    model.parts.back().texture = {t.at("file").get<std::string>(), point_2(t.at("origin")),
+                                  t.at("mm_per_pixel").get<double>()};
   }
   for (const Json& s : json.at("sheets")) model.sheets.push_back(sheet_of(s, parts));
-  return result;
+  return model;
 }
 
 } // namespace
 
-Written_folder read_written_model(const std::string& folder)
+Model read_written_model(const std::string& folder)
 {
   const std::string file = folder + "/model.json", hint = ": give a folder that make or fabricate wrote";
   const std::string text = read_file(file);
   try {
-    return folder_of(Json::parse(text));
+    return model_of(Json::parse(text));
   } catch (const Json::exception& error) {
     throw input_error(file + ": " + quoted(error.what()) + hint);
   } catch (const Fault& error) {

@@ -25,6 +25,16 @@ std::string joints_in_words(const Model& model)
   return text;
 }
 
+std::string textures_in_words(const Texture_counts& t)
+{
+  char text[200];
+  int n = std::snprintf(text, sizeof text, "textures of %d panels at %g dpi", t.images, t.dpi);
+  if (t.distortion)
+    std::snprintf(text + n, sizeof text - n, "; distortion: median %.3f, 95 %% of the area below %.3f (1: none)",
+                  t.distortion->distortion.median, t.distortion->distortion.p95);
+  return text;
+}
+
 void print_words(const Report& report, const Model& model, double seconds, const std::string& output,
                  const std::string& look_at)
 {
@@ -37,6 +47,7 @@ void print_words(const Report& report, const Model& model, double seconds, const
   if (!model.sheets.empty())
     std::printf("%zu parts on %zu sheets of %g x %g mm, %.0f %% used\n", model.parts.size(), model.sheets.size(),
                 model.sheets[0].width, model.sheets[0].height, 100 * utilisation(model.sheets, model.parts));
+  if (report.textures) std::printf("%s\n", textures_in_words(*report.textures).c_str());
   for (const std::string& warning : report.warnings) std::printf("warning: %s\n", warning.c_str());
   std::printf("%.1f s\n", seconds);
   std::printf("written: %s\n", output.c_str());

@@ -16,7 +16,7 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point_2 = Kernel::Point_2;
-using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;   // info: vertex number
+using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;   // info: corner of the face
 using Info_face_base = CGAL::Triangulation_face_base_with_info_2<bool, Kernel>; // info: outside the polygon
 using Face_base = CGAL::Constrained_triangulation_face_base_2<Kernel, Info_face_base>;
 using Triangulation_data = CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>;
@@ -71,6 +71,16 @@ void mark_outside(Triangulation& t)
   }
 }
 
+/// \param corners of face `f`, counted from 0
+void add_triangle(const Polygon_soup& soup, int f, const std::array<int, 3>& corners, Triangulated_faces& result)
+{
+  const int* face = soup.face(f);
+  const int first = int(soup.face_begin[f]);
+  result.triangles.push_back({face[corners[0]], face[corners[1]], face[corners[2]]});
+  result.corners.push_back({first + corners[0], first + corners[1], first + corners[2]});
+  result.face_of_triangle.push_back(f);
+}
+
 void split_face(const Polygon_soup& soup, int f, const std::string& name, Triangulated_faces& result)
 {
   const std::vector<Point_2> polygon = project(soup, f);
@@ -82,16 +92,14 @@ void split_face(const Polygon_soup& soup, int f, const std::string& name, Triang
   std::vector<Triangulation::Vertex_handle> vertices;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     vertices.push_back(t.insert(polygon[i]));
-    vertices.back()->info() = soup.face(f)[i];
+    vertices.back()->info() = int(i);
   }
   for (std::size_t i = 0; i < vertices.size(); ++i)
     t.insert_constraint(vertices[i], vertices[(i + 1) % vertices.size()]);
   mark_outside(t);
   for (auto face : t.finite_face_handles())
-    if (!face->info()) {
-      result.triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
-      result.face_of_triangle.push_back(f);
-    }
+    if (!face->info())
+      add_triangle(soup, f, {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()}, result);
 }
 
 } // namespace
@@ -101,10 +109,9 @@ Triangulated_faces triangulate_faces(const Polygon_soup& soup, const std::string
   Triangulated_faces result;
   result.triangles.reserve(soup.number_of_faces());
   result.face_of_triangle.reserve(soup.number_of_faces());
+  result.corners.reserve(soup.number_of_faces());
   for (int f = 0; f < soup.number_of_faces(); ++f)
-    if (soup.face_size(f) == 3) {
-      result.triangles.push_back({soup.face(f)[0], soup.face(f)[1], soup.face(f)[2]});
-      result.face_of_triangle.push_back(f);
-    } else split_face(soup, f, name, result);
+    if (soup.face_size(f) == 3) add_triangle(soup, f, {0, 1, 2}, result);
+    else split_face(soup, f, name, result);
   return result;
 }

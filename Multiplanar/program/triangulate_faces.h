@@ -15,6 +15,7 @@ struct Triangulated_faces
 {
   std::vector<std::array<int, 3>> triangles;
   std::vector<int> face_of_triangle;
+  std::vector<std::array<int, 3>> corners; ///< positions in `Polygon_soup::indices`
 };
 
 /// Splits every face with more than three vertices by the constrained Delaunay triangulation of its projection along

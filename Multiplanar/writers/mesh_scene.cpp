@@ -35,7 +35,8 @@ struct Stars
 
 } // namespace
 
-Scene mesh_scene(const Points& points, const std::vector<std::array<int, 3>>& triangles, const Vector_3& up)
+Scene mesh_scene(const Points& points, const std::vector<std::array<int, 3>>& triangles, const Vector_3& up,
+                 const Surface_appearance& looks)
 {
   std::vector<Vector_3> area, normal;
   for (const auto& t : triangles) {
@@ -56,5 +57,10 @@ Scene mesh_scene(const Points& points, const std::vector<std::array<int, 3>>& tr
       scene.triangles[f].normals[i] = unit(sum);
       scene.triangles[f].colours[i] = {0.62f, 0.63f, 0.65f};
     }
+  for (std::size_t f = 0; f < looks.colours.size(); ++f) {
+    scene.triangles[f].colours = looks.colours[f];
+    scene.triangles[f].texture = looks.texture(int(f));
+    if (scene.triangles[f].texture) scene.triangles[f].texture_points = looks.texture_points[f];
+  }
   return scene;
 }

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 using namespace CGAL::Multiplanar;
 
@@ -19,9 +18,6 @@ namespace {
 constexpr Linear_colour ink{{0.02f, 0.02f, 0.025f}};
 
 Vector_3 unit(const Vector_3& v) { return v / std::sqrt(v.squared_length()); }
-
-/// The panel that "P07" or "P07b" is cut from; -1 for a connector.
-int panel_of(const Part& part) { return part.kind == Part::Kind::panel ? std::atoi(part.id.c_str() + 1) - 1 : -1; }
 
 /// A part in space: shifted, in one colour.
 struct Solid_part
@@ -137,7 +133,7 @@ Scene parts_scene(const Model& model, const Vector_3& up, const Part_pictures& p
   Scene scene;
   scene.up = up;
   for (const Part& part : model.parts) {
-    const int panel = panel_of(part);
+    const int panel = panel_number(part);
     if (!is_shown(part)) continue;
     const bool known = panel >= 0 && panel < int(colours.size());
     const auto picture = pictures.find(part.id);
@@ -157,7 +153,7 @@ std::vector<Vector_3> explosion(const Model& model)
   const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
   std::vector<Vector_3> shifts(model.complex.number_of_panels(), Vector_3(0, 0, 0));
   for (const Part& part : model.parts) {
-    const int panel = panel_of(part);
+    const int panel = panel_number(part);
     if (panel >= 0 && panel < int(shifts.size()))
       shifts[panel] = 0.5 * (middle_of(part) - centre) + 0.06 * diagonal * part.frame.normal;
   }
@@ -208,7 +204,7 @@ Scene exploded_scene(const Model& model, const Vector_3& up, const Part_pictures
       of_connector[id] = 0.5 * (shifts[panels[0]] + shifts[panels[1]]);
     }
   const auto shift = [&](const Part& part) {
-    const int panel = panel_of(part);
+    const int panel = panel_number(part);
     if (panel >= 0 && panel < int(shifts.size())) return shifts[panel];
     const auto found = of_connector.find(part.id);
     return found == of_connector.end() ? Vector_3(0, 0, 0) : found->second;

@@ -7,6 +7,7 @@
 #include "Scene.h"
 
 #include <CGAL/Multiplanar/Model.h>
+#include <CGAL/Multiplanar/Surface_appearance.h>
 
 #include <array>
 #include <functional>
@@ -25,9 +26,9 @@ struct Part_picture
 /// By the id of the part.
 using Part_pictures = std::map<std::string, Part_picture>;
 
-/// A closed mesh, smooth but for its creases, light grey where nothing else is said.
+/// A closed mesh, smooth but for its creases, light grey if it has no looks; these must outlive the scene.
 Scene mesh_scene(const CGAL::Multiplanar::Points& points, const std::vector<std::array<int, 3>>& triangles,
-                 const CGAL::Multiplanar::Vector_3& up);
+                 const CGAL::Multiplanar::Vector_3& up, const CGAL::Multiplanar::Surface_appearance& looks = {});
 
 /// The panels in colours, with their edges.
 Scene panels_scene(const CGAL::Multiplanar::Panel_complex& complex, const CGAL::Multiplanar::Vector_3& up);

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -87,6 +88,12 @@ inline std::string panel_id(const Panel_complex& complex, int panel)
 inline std::string edge_id(const Panel_complex& complex, int edge)
 {
   return numbered_id('E', edge, complex.number_of_edges(), 3);
+}
+
+/// The number of the panel that part "P07" or "P07b" is cut from; -1 for a connector.
+inline int panel_number(const Part& part)
+{
+  return part.kind == Part::Kind::panel && part.id.size() > 1 ? std::atoi(part.id.c_str() + 1) - 1 : -1;
 }
 
 inline std::string sheet_file(int sheet, const char* extension)

@@ -40,6 +40,14 @@ struct Engraving
   double height = 0;
 };
 
+/// The picture that belongs on the outer face of a part. An empty name: none.
+struct Part_texture
+{
+  std::string file;               ///< in the folder of the model
+  Point_2 origin = Point_2(0, 0); ///< of its lower left corner, in the plane of the part
+  double mm_per_pixel = 0;
+};
+
 /// Twice the signed area of a polygon: positive when it runs counter-clockwise.
 inline double twice_signed_area(const Outline& outline)
 {
@@ -72,6 +80,7 @@ struct Part
   std::vector<Outline> holes;           ///< clockwise
   std::vector<std::array<int, 2>> tabs; ///< outline vertices i..j that form a tab or a tooth
   std::vector<Engraving> engraving;
+  Part_texture texture;
 
   /// In mm^2, holes taken off.
   double area() const

@@ -63,18 +63,23 @@ inline Json json_part(const Part& part)
   for (const Outline& hole : part.holes) holes.push_back(json_outline(hole));
   for (const auto& tab : part.tabs) tabs.push_back(tab);
   for (const Engraving& e : part.engraving) engraving.push_back(json_engraving(e));
-  return {{"id", part.id},
-          {"kind", part.kind == Part::Kind::panel ? "panel" : "connector"},
-          {"frame",
-           {{"origin", to_json(part.frame.origin)},
-            {"u", to_json(part.frame.u)},
-            {"v", to_json(part.frame.v)},
-            {"normal", to_json(part.frame.normal)}}},
-          {"outline", json_outline(part.outline)},
-          {"holes", holes},
-          {"area", part.area()},
-          {"tabs", tabs},
-          {"engraving", engraving}};
+  Json json = {{"id", part.id},
+               {"kind", part.kind == Part::Kind::panel ? "panel" : "connector"},
+               {"frame",
+                {{"origin", to_json(part.frame.origin)},
+                 {"u", to_json(part.frame.u)},
+                 {"v", to_json(part.frame.v)},
+                 {"normal", to_json(part.frame.normal)}}},
+               {"outline", json_outline(part.outline)},
+               {"holes", holes},
+               {"area", part.area()},
+               {"tabs", tabs},
+               {"engraving", engraving}};
+  if (!part.texture.file.empty())
+    json["texture"] = {{"file", part.texture.file},
+                       {"origin", to_json(part.texture.origin)},
+                       {"mm_per_pixel", part.texture.mm_per_pixel}};
+  return json;
 }
 
 inline Json json_sheet(const Model& model, int s)

@@ -8,6 +8,7 @@
 #include <CGAL/Multiplanar/Model.h>
 #include <CGAL/Multiplanar/io/json_format.h>
 #include <CGAL/Multiplanar/row_packing.h>
+#include <CGAL/Multiplanar/texture_distortion.h>
 
 #include <map>
 #include <optional>
@@ -39,6 +40,14 @@ struct Accuracy
   bool converged = false;
 };
 
+/// The images of the panels.
+struct Texture_counts
+{
+  int images = 0;
+  double dpi = 0, bleed = 0;                    ///< bleed in mm
+  std::optional<Texture_distortion> distortion; ///< none if the source's shape is not known
+};
+
 /// What a run did, apart from the model itself.
 struct Report
 {
@@ -47,6 +56,7 @@ struct Report
   Approximation_options options; ///< meaningful if there is an accuracy
   Input_counts input;
   std::optional<Accuracy> accuracy;                    ///< none if only parts were made
+  std::optional<Texture_counts> textures;              ///< none if the input has no colours
   std::vector<std::pair<std::string, double>> seconds; ///< by stage, in order
   std::vector<Labelling_record> labellings;            ///< of the approximation, by restart and pass
   std::vector<std::string> warnings;
@@ -135,6 +145,20 @@ inline Json json_joints(const Model& model)
   return {{"by_kind", counts}, {"joined_share", joined_share(model)}, {"unjoined", reasons}};
 }
 
+inline Json json_quantiles(const Quantiles& q) { return {{"median", q.median}, {"p95", q.p95}}; }
+
+/// Singular values of the maps from the source to the panels, over the area; 1 is no distortion.
+inline Json json_textures(const Texture_counts& t)
+{
+  Json json = {{"images", t.images}, {"dpi", t.dpi}, {"bleed_mm", t.bleed}};
+  if (t.distortion)
+    json["distortion"] = {{"median", t.distortion->distortion.median},
+                          {"p95", t.distortion->distortion.p95},
+                          {"largest_singular_value", json_quantiles(t.distortion->largest)},
+                          {"inverse_of_smallest_singular_value", json_quantiles(t.distortion->smallest)}};
+  return json;
+}
+
 } // namespace internal
 
 /*!
@@ -171,6 +195,7 @@ inline void write_report_json(std::ostream& out, const Report& report, const Mod
   json["parts"] = model.parts.size();
   json["sheets"] = model.sheets.size();
   json["utilisation"] = utilisation(model.sheets, model.parts);
+  if (report.textures) json["textures"] = json_textures(*report.textures);
   json["warnings"] = report.warnings;
   write_json(out, json);
 }
