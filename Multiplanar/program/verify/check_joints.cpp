@@ -30,29 +30,42 @@ std::vector<const Written_part*> parts_of_panel(const Written_model& model, int 
   return parts;
 }
 
-/// Looks for the slot of one tab in the parts of one panel. Says what is wrong if the tab is at that panel but does not
-/// fit; an empty text otherwise.
-std::string find_slot(const Written_part& connector, std::size_t tab, const std::vector<const Written_part*>& parts,
-                      double thickness, Used& used, bool& found)
+/// The hole that a tab lies in. A panel that fills a hole of its neighbour has its slots over that hole too, so the
+/// tightest one counts.
+struct Slot_of_tab
 {
-  std::string complaint;
+  const Written_part* part = nullptr; ///< null: there is none
+  std::size_t hole = 0;
+  int side = 0; ///< of the edge
+  double play = 1e300;
+  Tab_section section;
+  std::string complaint; ///< if there is none although the tab is at a panel
+};
+
+/// Looks for the slot of one tab in the parts of one panel.
+void find_slot(const Written_part& connector, std::size_t tab, const std::vector<const Written_part*>& parts, int side,
+               double thickness, Slot_of_tab& slot)
+{
   for (const Written_part* part : parts) {
     const Tab_section section = tab_in_part(connector, tab, *part, thickness);
     if (section.points.empty()) continue;
+    if (slot.complaint.empty()) slot.complaint = "does not lie in a slot of " + part->id;
     for (std::size_t h = 0; h < part->holes.size(); ++h) {
       if (!section_in_hole(section, part->holes[h])) continue;
-      used.slots.insert({part, h});
-      found = true;
-      if (section.low > 0.1 * thickness || section.high < 0.9 * thickness)
-        return "does not go through " + part->id + ": it fills " + shown(section.high - section.low) + " of its " +
-               shown(thickness) + " mm";
-      const double looseness = play_in_hole(section, part->holes[h]);
-      if (looseness > largest_play) return "has " + shown(looseness) + " mm of play in its slot in " + part->id;
-      return "";
+      const double play = play_in_hole(section, part->holes[h]);
+      if (play < slot.play) slot = {part, h, side, play, section, slot.complaint};
     }
-    complaint = "does not lie in a slot of " + part->id;
   }
-  return complaint;
+}
+
+/// What is wrong with the way a tab lies in its slot; empty if nothing is.
+std::string fault_of(const Slot_of_tab& slot, double thickness)
+{
+  if (slot.section.low > 0.1 * thickness || slot.section.high < 0.9 * thickness)
+    return "does not go through " + slot.part->id + ": it fills " + shown(slot.section.high - slot.section.low) +
+           " of its " + shown(thickness) + " mm";
+  if (slot.play > largest_play) return "has " + shown(slot.play) + " mm of play in its slot in " + slot.part->id;
+  return "";
 }
 
 void check_connector(const Written_model& model, const Written_edge& edge, const Written_part& connector, Used& used,
@@ -65,18 +78,19 @@ void check_connector(const Written_model& model, const Written_edge& edge, const
   std::array<bool, 2> joined = {false, false};
   std::vector<std::string> complaints;
   for (std::size_t tab = 0; tab < connector.tabs.size(); ++tab) {
-    bool found = false;
+    Slot_of_tab slot;
+    for (int side = 0; side < 2; ++side)
+      find_slot(connector, tab, parts_of_panel(model, model.panel_index(edge.panels[side])), side, model.thickness,
+                slot);
     std::string complaint;
-    for (int side = 0; side < 2 && !found; ++side) {
-      const int panel = model.panel_index(edge.panels[side]);
-      const std::string said = find_slot(connector, tab, parts_of_panel(model, panel), model.thickness, used, found);
-      if (!said.empty()) complaint = said;
-      if (found) {
-        joined[side] = true;
-        complaint = said;
-      }
+    if (slot.part) {
+      used.slots.insert({slot.part, slot.hole});
+      joined[slot.side] = true;
+      complaint = fault_of(slot, model.thickness);
+    } else {
+      complaint = slot.complaint;
+      if (complaint.empty()) complaint = "reaches neither " + edge.panels[0] + " nor " + edge.panels[1];
     }
-    if (!found && complaint.empty()) complaint = "reaches neither " + edge.panels[0] + " nor " + edge.panels[1];
     if (!complaint.empty()) complaints.push_back("tab " + std::to_string(tab + 1) + " " + complaint);
   }
   for (int side = 0; side < 2; ++side)
