@@ -83,11 +83,17 @@ void add_fabrication_options(CLI::App& app, Settings& s, Raw_values& raw)
   app.add_option("--kerf", s.model.kerf, "full width of the cut (0.15)")->type_name("MM");
   app.add_option("--fit", s.model.fit, "how much wider than its slot a tab is cut (0.05)")->type_name("MM");
   app.add_option("--sheet", raw.sheet, "size of the material (600x400)")->type_name("WxH");
+  app.add_option("--margin", s.model.margin, "no cut nearer to the edge of a sheet (5)")->type_name("MM");
+  app.add_option("--gap", s.model.gap, "material left between two parts (1)")->type_name("MM");
+  app.add_option("--rotations", s.sheet.rotations, "angles a part is tried at on the sheet (16)")->type_name("N");
+  app.add_option("--nest-seconds", s.sheet.seconds,
+                 "search so long for a denser nest; 0: not at all (a fixed number of steps, the same everywhere)")
+      ->type_name("S");
   app.add_option("--joints", raw.joints, "auto, connectors, teeth or none (auto)")->type_name("NAME");
   app.add_option("--dpi", s.dpi, "dots per inch of textures (150)")->type_name("N");
   app.add_option("--engrave", raw.engrave, "ids inside or outside of the model (inside)")->type_name("NAME");
-  for (const char* name :
-       {"--size", "--material", "--thickness", "--kerf", "--fit", "--sheet", "--joints", "--dpi", "--engrave"})
+  for (const char* name : {"--size", "--material", "--thickness", "--kerf", "--fit", "--sheet", "--margin", "--gap",
+                           "--rotations", "--nest-seconds", "--joints", "--dpi", "--engrave"})
     app.get_option(name)->group("Cutting");
 }
 
@@ -185,6 +191,10 @@ void read_choices(const Raw_values& raw, Settings& s)
 void copy_shared_values(Settings& s)
 {
   s.sheet.kerf = s.model.kerf;
+  s.sheet.fit = s.model.fit;
+  s.sheet.border = s.model.margin;
+  s.sheet.gap = s.model.gap;
+  s.sheet.threads = s.approximation.threads;
   s.model.panels = s.approximation.panels;
   s.model.seed = s.approximation.seed;
 }

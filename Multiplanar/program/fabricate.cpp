@@ -10,7 +10,7 @@
 #include <CGAL/Multiplanar/io/write_model_json.h>
 #include <CGAL/Multiplanar/io/write_panels_obj.h>
 #include <CGAL/Multiplanar/io/write_svg.h>
-#include <CGAL/Multiplanar/row_packing.h>
+#include <CGAL/Multiplanar/nesting.h>
 
 #include <cmath>
 #include <cstdio>
@@ -23,10 +23,10 @@ namespace {
 
 constexpr double largest_letter = 8, smallest_letter = 1.5; // mm
 
-std::vector<Sheet> pack(const std::vector<Part>& parts, const Settings& s)
+std::vector<Sheet> nest(const std::vector<Part>& parts, const Settings& s)
 {
   try {
-    return pack_in_rows(parts, s.sheet);
+    return nest_parts(parts, s.sheet);
   } catch (const Part_too_large& error) {
     char text[256];
     std::snprintf(text, sizeof text,
@@ -75,7 +75,7 @@ Model make_model(const Panel_complex& complex, const Settings& s, std::vector<st
   model.scale = s.model.size / longest_side(complex);
   model.complex = scaled(complex, model.scale);
   join_parts(model, s, warnings);
-  model.sheets = pack(model.parts, s);
+  model.sheets = nest(model.parts, s);
   warn_of_blank_parts(engrave_ids(model.parts, model.sheets, smallest_letter, largest_letter), warnings);
   return model;
 }

@@ -3,6 +3,8 @@
 
 #include "summary.h"
 
+#include <CGAL/Multiplanar/utilisation.h>
+
 #include <cstdio>
 
 using namespace CGAL::Multiplanar;
@@ -35,6 +37,18 @@ std::string textures_in_words(const Texture_counts& t)
   return text;
 }
 
+std::string sheets_in_words(const Model& model)
+{
+  const Utilisation u = utilisation(model.sheets, model.parts, model.settings.margin);
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "%zu parts on %zu sheet%s of %g x %g mm; parts are %.0f %% of the material, the last sheet cut off at %.0f mm",
+      model.parts.size(), model.sheets.size(), model.sheets.size() == 1 ? "" : "s", model.sheets[0].width,
+      model.sheets[0].height, 100 * u.of_used(), u.used_length);
+  return text;
+}
+
 void print_words(const Report& report, const Model& model, double seconds, const std::string& output,
                  const std::string& look_at)
 {
@@ -44,9 +58,7 @@ void print_words(const Report& report, const Model& model, double seconds, const
     std::printf("Hausdorff distance to the input: %.2f %% of its diagonal\n",
                 percent_of_diagonal(report, report.accuracy->hausdorff));
   if (!model.joints.empty()) std::printf("%s\n", joints_in_words(model).c_str());
-  if (!model.sheets.empty())
-    std::printf("%zu parts on %zu sheets of %g x %g mm, %.0f %% used\n", model.parts.size(), model.sheets.size(),
-                model.sheets[0].width, model.sheets[0].height, 100 * utilisation(model.sheets, model.parts));
+  if (!model.sheets.empty()) std::printf("%s\n", sheets_in_words(model).c_str());
   if (report.textures) std::printf("%s\n", textures_in_words(*report.textures).c_str());
   for (const std::string& warning : report.warnings) std::printf("warning: %s\n", warning.c_str());
   std::printf("%.1f s\n", seconds);

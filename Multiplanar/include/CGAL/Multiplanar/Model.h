@@ -55,6 +55,8 @@ struct Model_settings
   double thickness = 3;
   double kerf = 0.15;
   double fit = 0.05;
+  double margin = 5; ///< of the sheets
+  double gap = 1;    ///< between parts on a sheet
   std::uint64_t seed = 0;
 };
 

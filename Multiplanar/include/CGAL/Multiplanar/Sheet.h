@@ -40,9 +40,15 @@ struct Sheet_options
 {
   double width = 600, height = 400;
   double border = 5;    ///< free margin along the edge of a sheet
-  double gap = 2;       ///< material left between two parts, in mm
+  double gap = 1;       ///< material left between two parts, in mm
   double kerf = 0;      ///< full width of the cut
+  double fit = 0;       ///< how much wider than its slot a tab is cut, in mm
   bool mirrored = true; ///< parts lie inner face up
+
+  int rotations = 16;   ///< a part is tried at so many angles, equal steps apart, the first with its flattest box
+  int insertions = 900; ///< the search for a denser nest lays so many parts anew; 0: no search
+  double seconds = -1;  ///< if not negative, the search ends after this time instead
+  int threads = 0;      ///< of the search; 0: all that the machine has
 };
 
 } // namespace Multiplanar

@@ -7,8 +7,8 @@
 #include <CGAL/Multiplanar/Approximation_options.h>
 #include <CGAL/Multiplanar/Model.h>
 #include <CGAL/Multiplanar/io/json_format.h>
-#include <CGAL/Multiplanar/row_packing.h>
 #include <CGAL/Multiplanar/texture_distortion.h>
+#include <CGAL/Multiplanar/utilisation.h>
 
 #include <map>
 #include <optional>
@@ -59,6 +59,7 @@ struct Report
   std::optional<Texture_counts> textures;              ///< none if the input has no colours
   std::vector<std::pair<std::string, double>> seconds; ///< by stage, in order
   std::vector<Labelling_record> labellings;            ///< of the approximation, by restart and pass
+  double cut_length = 0, engraved_length = 0;          ///< of all sheets, in mm
   std::vector<std::string> warnings;
 };
 
@@ -179,7 +180,8 @@ inline void write_report_json(std::ostream& out, const Report& report, const Mod
                    {"genus", report.input.genus},
                    {"diagonal", report.input.diagonal}};
   const Model_settings& s = model.settings;
-  json["settings"] = {{"size", s.size}, {"thickness", s.thickness}, {"kerf", s.kerf}, {"fit", s.fit}};
+  json["settings"] = {{"size", s.size}, {"thickness", s.thickness}, {"kerf", s.kerf},
+                      {"fit", s.fit},   {"margin", s.margin},       {"gap", s.gap}};
   if (report.accuracy) json["settings"].update(json_approximation_settings(report.options));
   json["seconds"] = Json::object();
   for (const auto& stage : report.seconds) json["seconds"][stage.first] = stage.second;
@@ -194,7 +196,13 @@ inline void write_report_json(std::ostream& out, const Report& report, const Mod
   json["joints"] = json_joints(model);
   json["parts"] = model.parts.size();
   json["sheets"] = model.sheets.size();
-  json["utilisation"] = utilisation(model.sheets, model.parts);
+  const Utilisation u = utilisation(model.sheets, model.parts, s.margin);
+  json["utilisation"] = u.of_used();
+  json["utilisation_of_whole_sheets"] = u.of_sheets();
+  json["area"] = {{"parts", u.parts}, {"sheets", u.sheets}, {"sheets_last_cut_off", u.used}};
+  json["last_sheet_length"] = u.used_length;
+  json["cut_length"] = report.cut_length;
+  json["engraved_length"] = report.engraved_length;
   if (report.textures) json["textures"] = json_textures(*report.textures);
   json["warnings"] = report.warnings;
   write_json(out, json);
