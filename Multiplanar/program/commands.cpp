@@ -8,6 +8,7 @@
 #include "failure.h"
 #include "panels_of_shell.h"
 #include "previews.h"
+#include "proof.h"
 #include "read_mesh.h"
 #include "run_approximation.h"
 #include "saliency.h"
@@ -94,6 +95,8 @@ public:
     write_shell(output, "shell.ply", mesh, points, panel_of_face);
     write_model(output, model, report);
     if (settings.preview) write_pictures(output, model, mesh);
+    progress.update("verify", 0);
+    require_proof(output.temporary_path(), settings.output);
     output.commit();
     progress.finish();
   }
