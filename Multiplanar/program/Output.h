@@ -35,6 +35,8 @@ public:
   void commit();
 
   const std::string& path() const { return target; }
+  /// Where it stands until commit().
+  const std::string& temporary_path() const { return temporary; }
 
 private:
   void refuse_strangers() const;

@@ -9,6 +9,7 @@
 #include "load_appearance.h"
 #include "panels_of_shell.h"
 #include "previews.h"
+#include "proof.h"
 #include "read_mesh.h"
 #include "run_approximation.h"
 #include "saliency.h"
@@ -127,6 +128,8 @@ public:
     write_model(output, model, report);
     if (settings.preview)
       write_pictures(write, model, source, looks, textures ? textures->pictures() : Part_pictures());
+    progress.update("verify", 0);
+    require_proof(output.temporary_path(), settings.output);
     output.commit();
     progress.finish();
   }
