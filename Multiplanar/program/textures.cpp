@@ -3,10 +3,10 @@
 
 #include "textures.h"
 #include "failure.h"
-#include "texture_sheet_pdf.h"
 #include "write_png.h"
 
 #include <CGAL/Multiplanar/internal/parallel_ranges.h>
+#include <CGAL/Multiplanar/kerf_compensation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +27,30 @@ Image reduced(Image image, int size)
 {
   while (std::max(image.width, image.height) > size) image = internal::halved(image);
   return image;
+}
+
+/// A polygon and what lies within `distance` of it, or up to a tenth of a millimetre further; as it is if it touches
+/// itself.
+std::vector<Outline> grown(const Outline& outline, const std::vector<Outline>& holes, double distance)
+{
+  const double slack = (std::min)(0.1, distance / 4); // the disc is a polygon between two circles
+  std::vector<Outline> loops = holes;
+  loops.push_back(outline);
+  if (!std::all_of(loops.begin(), loops.end(), [](const Outline& loop) { return is_simple_outline(loop); }))
+    return loops;
+  internal::Exact_polygon region(internal::oriented_loop(outline, CGAL::COUNTERCLOCKWISE));
+  for (const Outline& hole : holes) region.add_hole(internal::oriented_loop(hole, CGAL::CLOCKWISE));
+  const auto sum = CGAL::minkowski_sum_2(region, internal::inscribed_polygon(distance + slack, slack));
+  loops.assign(1, internal::rounded(sum.outer_boundary()));
+  for (auto hole = sum.holes_begin(); hole != sum.holes_end(); ++hole) loops.push_back(internal::rounded(*hole));
+  return loops;
+}
+
+std::vector<Outline> placed(std::vector<Outline> loops, const Placement& placement)
+{
+  for (Outline& loop : loops)
+    for (Point_2& p : loop) p = placement(p);
+  return loops;
 }
 
 } // namespace
@@ -82,15 +106,13 @@ void Textures::keep_small(int panel, Image image)
                                  grid.height * grid.mm_per_pixel};
 }
 
-void Textures::write_sheet(const File_writer& write, int number)
+std::vector<Image> Textures::bake(const std::vector<int>& panels) const
 {
-  const Sheet& sheet = model.sheets[number];
-  const std::vector<int> panels = panels_on(sheet);
-  std::vector<Image> images(panels.size());
   std::map<int, Frame> frames;
   for (const Part& part : model.parts) frames[panel_number(part)] = part.frame;
   std::vector<std::vector<int>> faces(model.complex.number_of_panels());
   for (int f = 0; f < int(source.panel_of_face.size()); ++f) faces[source.panel_of_face[f]].push_back(f);
+  std::vector<Image> images(panels.size());
   // Panels differ in size: every thread takes each so-many-th one.
   internal::parallel_ranges(threads, threads, [&](int, int first, int last) {
     for (int t = first; t < last; ++t)
@@ -98,19 +120,47 @@ void Textures::write_sheet(const File_writer& write, int number)
         images[i] = bake_panel(grids.at(panels[i]), faces[panels[i]], source.triangles, source.points,
                                frames.at(panels[i]), source.looks, options);
   });
+  return images;
+}
+
+void Textures::write_images(const File_writer& write, const std::vector<int>& panels, const std::vector<Image>& images)
+{
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const std::string file = file_of(model.complex, panels[i]);
     if (!files.emplace(panels[i], file).second) continue; // written with another piece of the panel
     write(file, [&](std::ostream& out) { write_png(out, images[i], 1 / grids.at(panels[i]).mm_per_pixel); });
     keep_small(panels[i], images[i]);
   }
+}
+
+Printed_part Textures::printed_part(const Placement& placement, const Part_drawing& drawing, const Image& image) const
+{
+  const Part& part = model.parts[placement.part];
+  const int panel = panel_number(part);
+  Printed_part printed{&image, grids.at(panel), {}, {}};
+  const std::vector<Outline> loops = panel_loops(model.complex, panel, part.frame);
+  printed.with_bleed = placed(grown(loops[0], {loops.begin() + 1, loops.end()}, options.bleed), placement);
+  for (const Outline& outline : drawing.outer)
+    for (Outline& loop : grown(outline, {}, 0.4 * gap)) printed.own.push_back(std::move(loop));
+  return printed;
+}
+
+void Textures::write_sheet(const File_writer& write, int number)
+{
+  const Sheet& sheet = model.sheets[number];
+  const std::vector<int> panels = panels_on(sheet);
+  const std::vector<Image> images = bake(panels);
+  write_images(write, panels, images);
   const Sheet_drawing drawing = draw_sheet(sheet, model.parts, model.settings.kerf, model.settings.fit);
-  const auto texture_of = [&](const Part& part) {
-    const auto found = std::lower_bound(panels.begin(), panels.end(), panel_number(part));
-    if (found == panels.end() || *found != panel_number(part)) return Placed_texture();
-    return Placed_texture{&images[found - panels.begin()], grids.at(*found)};
-  };
-  const Texture_sheet printed{sheet, drawing, model.parts, texture_of, number + 1, gap / 2};
+  Texture_sheet printed{sheet, drawing, model.parts, {}, number + 1};
+  for (std::size_t i = 0; i < sheet.placements.size(); ++i) {
+    const auto found =
+        std::lower_bound(panels.begin(), panels.end(), panel_number(model.parts[sheet.placements[i].part]));
+    const bool has_image = found != panels.end() && *found == panel_number(model.parts[sheet.placements[i].part]);
+    printed.printed.push_back(has_image
+                                  ? printed_part(sheet.placements[i], drawing.parts[i], images[found - panels.begin()])
+                                  : Printed_part());
+  }
   for (bool mirrored : {false, true})
     write("textures/sheet-" + std::to_string(number + 1) + (mirrored ? "-mirrored.pdf" : ".pdf"),
           [&](std::ostream& out) { write_texture_sheet(out, printed, mirrored); });

@@ -6,6 +6,7 @@
 
 #include "Progress.h"
 #include "previews.h"
+#include "texture_sheet_pdf.h"
 
 #include <CGAL/Multiplanar/Model.h>
 #include <CGAL/Multiplanar/texture_baking.h>
@@ -42,6 +43,12 @@ public:
 private:
   void check_size() const;
   void write_sheet(const File_writer& write, int sheet);
+  std::vector<CGAL::Multiplanar::Image> bake(const std::vector<int>& panels) const;
+  void write_images(const File_writer& write, const std::vector<int>& panels,
+                    const std::vector<CGAL::Multiplanar::Image>& images);
+  Printed_part printed_part(const CGAL::Multiplanar::Placement& placement,
+                            const CGAL::Multiplanar::Part_drawing& drawing,
+                            const CGAL::Multiplanar::Image& image) const;
   std::vector<int> panels_on(const CGAL::Multiplanar::Sheet& sheet) const;
   void keep_small(int panel, CGAL::Multiplanar::Image image);
 

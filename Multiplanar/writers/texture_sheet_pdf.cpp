@@ -4,8 +4,6 @@
 #include "texture_sheet_pdf.h"
 #include "Pdf_document.h"
 
-#include <CGAL/Multiplanar/kerf_compensation.h>
-
 #include <cairo.h>
 
 #include <algorithm>
@@ -41,10 +39,10 @@ struct Surface_deleter
 };
 using Surface = std::unique_ptr<cairo_surface_t, Surface_deleter>;
 
-/// Pixels are either opaque or transparent: nothing is lost by premultiplying.
+/// Transparent pixels become white: the page clips them away, and without transparency no program draws fringes.
 Surface cairo_surface_of(const Image& image)
 {
-  Surface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, image.width, image.height));
+  Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width, image.height));
   if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
     throw std::runtime_error("PDF: an image of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
                              " pixels is too large: take a smaller --dpi");
@@ -54,9 +52,8 @@ Surface cairo_surface_of(const Image& image)
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
       const std::uint8_t* p = image.pixel(x, y);
-      const std::uint32_t word =
-          p[3] == 0 ? 0 : 0xff000000u | std::uint32_t(p[0]) << 16 | std::uint32_t(p[1]) << 8 | p[2];
-      reinterpret_cast<std::uint32_t*>(data + std::ptrdiff_t(y) * stride)[x] = word;
+      reinterpret_cast<std::uint32_t*>(data + std::ptrdiff_t(y) * stride)[x] =
+          p[3] == 0 ? 0xffffffu : std::uint32_t(p[0]) << 16 | std::uint32_t(p[1]) << 8 | p[2];
     }
   cairo_surface_mark_dirty(surface.get());
   return surface;
@@ -80,11 +77,11 @@ void paint(cairo_t* c, const Page& page, const Placement& placement, const Textu
   cairo_restore(c);
 }
 
-/// Keeps what follows inside the cut of a part and `own` mm around it. A cut that cannot be grown is not clipped.
-void clip_to_part(cairo_t* c, const Page& page, const Part_drawing& part, double own)
+/// Keeps what follows inside loops, holes left out.
+void clip(cairo_t* c, const Page& page, const std::vector<Outline>& loops)
 {
-  for (const Outline& outline : part.outer)
-    trace(c, page, is_simple_outline(outline) ? compensate_kerf(outline, {}, 2 * own).outer : outline);
+  for (const Outline& loop : loops) trace(c, page, loop);
+  cairo_set_fill_rule(c, CAIRO_FILL_RULE_EVEN_ODD);
   cairo_clip(c);
 }
 
@@ -132,18 +129,18 @@ void draw_id(cairo_t* c, const Page& page, const Engraving& e, const Placement& 
 void draw_textures(cairo_t* c, const Page& page, const Texture_sheet& sheet)
 {
   std::map<const Image*, Surface> surfaces;
-  // First everything with its whole bleed, then once more what belongs to each part: so that no neighbour's bleed
+  // First everything with its whole bleed, then once more what belongs to each part, so that no neighbour's bleed
   // covers it.
   for (int pass = 0; pass < 2; ++pass)
-    for (std::size_t i = 0; i < sheet.sheet.placements.size(); ++i) {
-      const Placement& placement = sheet.sheet.placements[i];
-      const Placed_texture texture = sheet.texture_of(sheet.parts[placement.part]);
-      if (!texture.image) continue;
-      Surface& surface = surfaces[texture.image];
-      if (!surface) surface = cairo_surface_of(*texture.image);
+    for (std::size_t i = 0; i < sheet.printed.size(); ++i) {
+      const Printed_part& part = sheet.printed[i];
+      if (!part.image) continue;
+      Surface& surface = surfaces[part.image];
+      if (!surface) surface = cairo_surface_of(*part.image);
       cairo_save(c);
-      if (pass == 1) clip_to_part(c, page, sheet.drawing.parts[i], sheet.own);
-      paint(c, page, placement, texture.grid, surface.get());
+      clip(c, page, part.with_bleed);
+      if (pass == 1) clip(c, page, part.own);
+      paint(c, page, sheet.sheet.placements[i], part.grid, surface.get());
       cairo_restore(c);
     }
 }

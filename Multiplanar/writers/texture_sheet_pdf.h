@@ -8,15 +8,16 @@
 #include <CGAL/Multiplanar/Sheet_drawing.h>
 #include <CGAL/Multiplanar/texture_baking.h>
 
-#include <functional>
 #include <iosfwd>
-#include <string>
+#include <vector>
 
-/// The image of a part and where it lies in its plane; `image` is null if it has none.
-struct Placed_texture
+/// The image of a placed part, and where on its sheet it is shown.
+struct Printed_part
 {
-  const CGAL::Multiplanar::Image* image = nullptr;
+  const CGAL::Multiplanar::Image* image = nullptr; ///< null: nothing is printed
   CGAL::Multiplanar::Texture_grid grid;
+  std::vector<CGAL::Multiplanar::Outline> with_bleed; ///< on the sheet: the panel and what is printed around it
+  std::vector<CGAL::Multiplanar::Outline> own;        ///< on the sheet: what no other part's bleed may cover
 };
 
 /// What is printed for one sheet.
@@ -25,9 +26,8 @@ struct Texture_sheet
   const CGAL::Multiplanar::Sheet& sheet;
   const CGAL::Multiplanar::Sheet_drawing& drawing; ///< of the sheet as it is cut
   const std::vector<CGAL::Multiplanar::Part>& parts;
-  std::function<Placed_texture(const CGAL::Multiplanar::Part&)> texture_of;
+  std::vector<Printed_part> printed; ///< by placement
   int number = 1;
-  double own = 1; ///< mm around the cut of a part that no other part's bleed may cover
 };
 
 /*!

@@ -65,7 +65,7 @@ inline Texture_grid texture_grid(const std::vector<Outline>& loops, const Baking
   }
   Texture_grid grid;
   grid.mm_per_pixel = 25.4 / options.dpi;
-  const double margin = options.bleed + grid.mm_per_pixel;
+  const double margin = options.bleed + 2 * grid.mm_per_pixel;
   grid.origin = Point_2(low_x - margin, low_y - margin);
   grid.width = (std::max)(1, int(std::ceil((high_x - low_x + 2 * margin) / grid.mm_per_pixel)));
   grid.height = (std::max)(1, int(std::ceil((high_y - low_y + 2 * margin) / grid.mm_per_pixel)));
@@ -81,7 +81,7 @@ The triangles of the mesh are those of the source, so the way back is: point of 
 the panel's plane, barycentric coordinates there, the same coordinates in the source's texture. Where several texels
 fall into a pixel, their mean light is taken: up to 8 x 8 places a pixel, each filtered over its share of the texels
 (lengthwise and crosswise by the larger of the two singular values of pixels to texels). Beyond the outline, up to the
-bleed, a pixel shows the nearest point of the panel. All else is transparent.
+bleed and a pixel more, a pixel shows the nearest point of the panel. All else is transparent.
 
 \param faces of the mesh that the panel consists of
 \param triangles vertices by face

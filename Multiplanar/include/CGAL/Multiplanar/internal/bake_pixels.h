@@ -84,7 +84,7 @@ inline void reach_from_border(const Flat_triangles& flat, int number, double ble
   const Border& border = flat.borders[number];
   const Flat_triangle& t = flat.triangles[border.triangle];
   const int next = (border.side + 1) % 3;
-  const double reach = bleed + 1;
+  const double reach = bleed + 2;
   const auto rows = pixel_range((std::min)(t.y[border.side], t.y[next]) - reach,
                                 (std::max)(t.y[border.side], t.y[next]) + reach, strip.first, strip.last);
   const auto columns = pixel_range((std::min)(t.x[border.side], t.x[next]) - reach,
@@ -119,7 +119,7 @@ inline void write_strip(const Flat_triangles& flat, const Surface_appearance& lo
       const std::array<float, 4>& sum = strip.light[at];
       Linear_colour colour;
       if (sum[3] > 0) colour = {sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3]};
-      else if (strip.border[at] >= 0 && strip.distance[at] <= float((bleed + 0.5) * (bleed + 0.5)))
+      else if (strip.border[at] >= 0 && strip.distance[at] <= float((bleed + 1) * (bleed + 1)))
         colour = colour_beyond(flat, looks, strip.border[at], i, j);
       else continue;
       std::uint8_t* pixel = image.pixel(i, j);
