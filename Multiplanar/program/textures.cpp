@@ -38,7 +38,7 @@ std::vector<Outline> grown(const Outline& outline, const std::vector<Outline>& h
   loops.push_back(outline);
   if (!std::all_of(loops.begin(), loops.end(), [](const Outline& loop) { return is_simple_outline(loop); }))
     return loops;
-  internal::Exact_polygon region(internal::oriented_loop(outline, CGAL::COUNTERCLOCKWISE));
+  Exact_polygon region(internal::oriented_loop(outline, CGAL::COUNTERCLOCKWISE));
   for (const Outline& hole : holes) region.add_hole(internal::oriented_loop(hole, CGAL::CLOCKWISE));
   const auto sum = CGAL::minkowski_sum_2(region, internal::inscribed_polygon(distance + slack, slack));
   loops.assign(1, internal::rounded(sum.outer_boundary()));
