@@ -3,7 +3,7 @@
 # Usage: test/run.sh [CTest options, such as -R complex]
 set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-"$top/package_info/Multiplanar/install_packages.sh"
+"$top/package_info/Multiplanar/install_packages.sh" --for-tests
 
 build=$top/build-test
 cmake -G Ninja -S "$top" -B "$build" -DCMAKE_BUILD_TYPE=Release \

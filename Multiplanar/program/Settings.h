@@ -8,6 +8,7 @@
 
 #include <CGAL/Multiplanar/Approximation_options.h>
 #include <CGAL/Multiplanar/Model.h>
+#include <CGAL/Multiplanar/Palette.h>
 
 #include <string>
 
@@ -31,6 +32,7 @@ struct Settings
   CGAL::Multiplanar::Model_settings model;
   CGAL::Multiplanar::Sheet_options sheet;
   CGAL::Multiplanar::Joint_mode joints = CGAL::Multiplanar::Joint_mode(); ///< automatic
+  CGAL::Multiplanar::Palette palette;
   bool preview = true;                                                    ///< pictures are written with the rest
   Progress::Style progress = Progress::Style::lines;
 };

@@ -27,7 +27,7 @@ using CGAL::Multiplanar::Joint_mode;
 using CGAL::Multiplanar::Solver;
 
 /// Options and commands of the documented interface that cannot do their work yet.
-const std::vector<std::string> missing_options = {"--palette", "--repair"};
+const std::vector<std::string> missing_options = {"--repair"};
 const std::map<std::string, std::string> missing_commands = {
     {"compare", "compare with other methods (not available yet)"}};
 
@@ -35,6 +35,7 @@ const std::map<std::string, std::string> missing_commands = {
 struct Raw_values
 {
   std::string seed = "0", effort = "normal", solver = "auto", sheet = "600x400", joints = "auto", engrave = "inside";
+  std::string palette = "default";
   std::string material; ///< empty: none
   bool quiet = false, json_progress = false;
 };
@@ -91,9 +92,11 @@ void add_fabrication_options(CLI::App& app, Settings& s, Raw_values& raw)
       ->type_name("S");
   app.add_option("--joints", raw.joints, "auto, connectors, teeth or none (auto)")->type_name("NAME");
   app.add_option("--dpi", s.dpi, "dots per inch of textures (150)")->type_name("N");
+  app.add_option("--palette", raw.palette, "colours of the lines: default, lightburn, score or blue-cut (default)")
+      ->type_name("NAME");
   app.add_option("--engrave", raw.engrave, "ids inside or outside of the model (inside)")->type_name("NAME");
   for (const char* name : {"--size", "--material", "--thickness", "--kerf", "--fit", "--sheet", "--margin", "--gap",
-                           "--rotations", "--nest-seconds", "--joints", "--dpi", "--engrave"})
+                           "--rotations", "--nest-seconds", "--joints", "--dpi", "--palette", "--engrave"})
     app.get_option(name)->group("Cutting");
 }
 
@@ -184,6 +187,10 @@ void read_choices(const Raw_values& raw, Settings& s)
                                  {"teeth", Joint_mode::teeth},
                                  {"none", Joint_mode::none}});
   s.sheet.mirrored = chosen<bool>("--engrave", raw.engrave, {{"inside", true}, {"outside", false}});
+  std::vector<std::pair<std::string, CGAL::Multiplanar::Palette>> palettes;
+  for (const CGAL::Multiplanar::Palette& palette : CGAL::Multiplanar::palettes())
+    palettes.push_back({palette.name, palette});
+  s.palette = chosen<CGAL::Multiplanar::Palette>("--palette", raw.palette, palettes);
   s.progress = progress_style(raw);
 }
 

@@ -125,7 +125,7 @@ public:
     }
     progress.update("write", 0);
     write_shell(output, "shell.ply", source, points, panel_of_face);
-    write_model(output, model, report);
+    write_model(output, model, settings.palette, report);
     if (settings.preview)
       write_pictures(write, model, source, looks, textures ? textures->pictures() : Part_pictures());
     progress.update("verify", 0);

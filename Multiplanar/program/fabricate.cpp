@@ -3,15 +3,16 @@
 
 #include "fabricate.h"
 #include "failure.h"
+#include "previews.h"
+#include "write_sheets.h"
 
-#include <CGAL/Multiplanar/Sheet_drawing.h>
 #include <CGAL/Multiplanar/assembled_parts.h>
-#include <CGAL/Multiplanar/engrave_ids.h>
+#include <CGAL/Multiplanar/engrave_parts.h>
 #include <CGAL/Multiplanar/io/write_model_json.h>
 #include <CGAL/Multiplanar/io/write_panels_obj.h>
-#include <CGAL/Multiplanar/io/write_svg.h>
 #include <CGAL/Multiplanar/nesting.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -20,8 +21,6 @@
 using namespace CGAL::Multiplanar;
 
 namespace {
-
-constexpr double largest_letter = 8, smallest_letter = 1.5; // mm
 
 std::vector<Sheet> nest(const std::vector<Part>& parts, const Settings& s)
 {
@@ -38,12 +37,17 @@ std::vector<Sheet> nest(const std::vector<Part>& parts, const Settings& s)
   }
 }
 
-void warn_of_blank_parts(const std::vector<std::string>& blank, std::vector<std::string>& warnings)
+/// Parts without their ids are told one by one; shorter texts are for the part list.
+void warn_of_blank_parts(const std::vector<Part>& parts, std::vector<std::string>& warnings)
 {
-  if (blank.empty()) return;
   std::string list;
-  for (const std::string& id : blank) list += " " + id;
-  warnings.push_back("too small for an engraved id:" + list);
+  int others = 0;
+  for (const Part& part : parts)
+    if (std::count(part.not_engraved.begin(), part.not_engraved.end(), part.id) > 0) list += " " + part.id;
+    else others += !part.not_engraved.empty();
+  if (!list.empty()) warnings.push_back("too small for an engraved id:" + list);
+  if (others > 0)
+    warnings.push_back("not everything fits on " + std::to_string(others) + " parts: the rest is in parts.csv");
 }
 
 /// Makes the parts, joins them, and finds an order to put them together.
@@ -76,17 +80,17 @@ Model make_model(const Panel_complex& complex, const Settings& s, std::vector<st
   model.complex = scaled(complex, model.scale);
   join_parts(model, s, warnings);
   model.sheets = nest(model.parts, s);
-  warn_of_blank_parts(engrave_ids(model.parts, model.sheets, smallest_letter, largest_letter), warnings);
+  Engraving_options engraving;
+  engraving.up = up_of(model.complex);
+  engraving.clearance = 0.4 + s.model.kerf / 2;
+  engrave_parts(model, engraving);
+  warn_of_blank_parts(model.parts, warnings);
   return model;
 }
 
-void write_model(Output& output, const Model& model, Report& report)
+void write_model(Output& output, const Model& model, const Palette& palette, Report& report)
 {
-  for (int i = 0; i < int(model.sheets.size()); ++i) {
-    const Sheet_drawing drawing = draw_sheet(model.sheets[i], model.parts, model.settings.kerf, model.settings.fit);
-    report.warnings.insert(report.warnings.end(), drawing.warnings.begin(), drawing.warnings.end());
-    output.write(sheet_file(i, "svg"), [&](std::ostream& out) { write_svg(out, drawing); });
-  }
+  write_sheets(output, model, palette, report);
   output.write("panels.obj", [&](std::ostream& out) { write_panels_obj(out, model.complex); });
   output.write("model.json", [&](std::ostream& out) { write_model_json(out, model); });
   output.write("report.json", [&](std::ostream& out) { write_report_json(out, report, model); });

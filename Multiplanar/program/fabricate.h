@@ -17,6 +17,7 @@ CGAL::Multiplanar::Model make_model(const CGAL::Multiplanar::Panel_complex& comp
                                     std::vector<std::string>& warnings);
 
 /// Writes what is known of the model but `shell.ply`; adds what went wrong with drawings to the report before.
-void write_model(Output& output, const CGAL::Multiplanar::Model& model, CGAL::Multiplanar::Report& report);
+void write_model(Output& output, const CGAL::Multiplanar::Model& model,
+                 const CGAL::Multiplanar::Palette& palette, CGAL::Multiplanar::Report& report);
 
 #endif // MULTIPLANAR_PROGRAM_FABRICATE_H

@@ -41,6 +41,14 @@ void write_sheets(const File_writer& write, const Model& model)
 
 } // namespace
 
+Vector_3 up_of(const Panel_complex& complex)
+{
+  const Points points = points_of(panels_scene(complex, Vector_3(0, 1, 0)));
+  std::vector<std::array<int, 3>> triangles;
+  for (int i = 0; i + 2 < int(points.size()); i += 3) triangles.push_back({i, i + 1, i + 2});
+  return upward(points, triangles);
+}
+
 Preview_view preview_view(const Panel_complex& complex, int threads)
 {
   const Points points = points_of(panels_scene(complex, Vector_3(0, 1, 0)));

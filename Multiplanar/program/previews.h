@@ -22,6 +22,9 @@ struct Preview_view
   int threads = 0; ///< 0: all
 };
 
+/// Where a model most likely has its upper side: what its pictures and its up marks show.
+CGAL::Multiplanar::Vector_3 up_of(const CGAL::Multiplanar::Panel_complex& complex);
+
 Preview_view preview_view(const CGAL::Multiplanar::Panel_complex& complex, int threads);
 
 /// Writes `preview/input.png`: what was read, as a scene of its triangles.

@@ -1,12 +1,15 @@
 #!/usr/bin/env bash
 # Installs the Debian packages of the list beside this file that are missing. Needs root or sudo only if any is.
+# With --for-tests also what only the tests need.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+lists=("$here/debian_packages")
+if [ "${1:-}" = --for-tests ]; then lists+=("$here/debian_packages_for_tests"); fi
 missing=()
 while read -r name; do
   case "$name" in ''|'#'*) continue ;; esac
   dpkg-query -W -f='${Status}' "$name" 2>/dev/null | grep -q 'ok installed' || missing+=("$name")
-done < "$here/debian_packages"
+done < <(cat "${lists[@]}")
 [ ${#missing[@]} -eq 0 ] && exit 0
 as_root=()
 if [ "$(id -u)" -ne 0 ]; then as_root=(sudo); fi

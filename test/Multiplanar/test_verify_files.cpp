@@ -162,6 +162,29 @@ TEST_F(Verify_files, path_that_is_open)
       "violation: sheets/sheet-2.svg: a path among the outer cuts at .* is not closed");
 }
 
+TEST_F(Verify_files, engraving_across_a_cut_or_beside_all_parts)
+{
+  expect_fault_in_file(
+      "sheets/sheet-2.svg", [](std::string& s) { replace(s, "h 0.1", "h 500"); }, 1,
+      "violation: sheets/sheet-2.svg: engraving at .* crosses a cut");
+  expect_fault_in_file(
+      "sheets/sheet-2.svg", [](std::string& s) { replace(s, "l 0.1", "m 400 300 l 0.1"); }, 1,
+      "violation: sheets/sheet-2.svg: engraving at .* is on no part");
+}
+
+TEST_F(Verify_files, page_that_is_not_the_sheet)
+{
+  const std::string begin = "%PDF-1.5\n1 0 obj\n<< /Type /Page\n /MediaBox [ 0 0 ", end = " ]\n>>\nendobj\n%%EOF\n";
+  const std::string right = "1700.787402 1133.858268";
+  write_all(dir, complete(Joints::connectors));
+  write_text(dir / "sheets/sheet-1.pdf", begin + right + end);
+  expect_line(1, "violation: some sheets have a PDF file");
+  write_text(dir / "sheets/sheet-2.pdf", begin + right + end);
+  expect_good();
+  write_text(dir / "sheets/sheet-2.pdf", begin + "1700 1133.858268" + end);
+  expect_line(1, "violation: sheets/sheet-2.pdf: its page is 599.7");
+}
+
 TEST_F(Verify_files, unit_missing_in_svg_and_dxf)
 {
   expect_fault_in_file(

@@ -113,6 +113,21 @@ inline std::vector<Cuts> cuts_of_sheet(const Json& model, const Json& sheet)
   return result;
 }
 
+/// A point 0.8 mm inside the middle of the longest side.
+inline Flat point_inside(const Ring& ring)
+{
+  const std::size_t n = ring.size();
+  const auto vector = [&](std::size_t i) -> Flat {
+    return {ring[(i + 1) % n][0] - ring[i][0], ring[(i + 1) % n][1] - ring[i][1]};
+  };
+  std::size_t longest = 0;
+  for (std::size_t i = 1; i < n; ++i)
+    if (std::hypot(vector(i)[0], vector(i)[1]) > std::hypot(vector(longest)[0], vector(longest)[1])) longest = i;
+  const Flat d = vector(longest), a = ring[longest];
+  const double s = (area(ring) > 0 ? 0.8 : -0.8) / std::hypot(d[0], d[1]);
+  return {a[0] + d[0] / 2 - s * d[1], a[1] + d[1] / 2 + s * d[0]};
+}
+
 inline std::string svg_of_sheet(const Json& model, const Json& sheet)
 {
   const double height = sheet["height"].get<double>();
@@ -135,7 +150,10 @@ inline std::string svg_of_sheet(const Json& model, const Json& sheet)
         << "\">\n";
     for (const Cuts& cuts : cuts_of_sheet(model, sheet)) {
       out << "<g id=\"" << cuts.id << (name == "outer" ? "" : "-" + name) << "\">\n";
-      if (name == "engrave") out << "<path d=\"M 10 10 l 1 0 h 2 v 3\"/>\n";
+      if (name == "engrave") {
+        const Flat p = point_inside(cuts.outer);
+        out << "<path d=\"M " << p[0] << " " << height - p[1] << " l 0.1 0 h 0.1 v 0.1\"/>\n";
+      }
       if (name == "outer") path(cuts.outer);
       if (name == "inner")
         for (const Ring& ring : cuts.inner) path(ring);

@@ -52,6 +52,8 @@ public:
         say("part " + parts[i].id + ": " + said);
     check_no_side_twice();
     check_apart();
+    for (const Path& path : drawing.paths)
+      if (path.layer == Layer::engrave) check_engraving(path.points);
   }
 
 private:
@@ -103,6 +105,35 @@ private:
       if (off < least) least = off, best = int(i);
     }
     return best;
+  }
+
+  /// An engraved line crosses no cut, and lies in what one outer cut frees.
+  void check_engraving(const Loop& line)
+  {
+    if (line.size() < 2) return say("an engraved line at " + shown(line[0]) + " has no length");
+    const CGAL::Bbox_2 box = box_of(line);
+    bool on_a_part = false;
+    for (const Part_cuts& part : cuts) {
+      if (part.outer.size() != 1 || !CGAL::do_overlap(box, box_of(*part.outer[0]))) continue;
+      for (const Loop* cut : all(part))
+        if (CGAL::do_overlap(box, box_of(*cut)) && crosses(line, *cut))
+          return say("engraving at " + shown(line[0]) + " crosses a cut");
+      on_a_part = on_a_part || frees(part, line[0]);
+    }
+    if (!on_a_part) say("engraving at " + shown(line[0]) + " is on no part");
+  }
+
+  static bool crosses(const Loop& line, const Loop& cut)
+  {
+    using Segment = Kernel::Segment_2;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      const Segment stroke(line[i], line[i + 1]);
+      for (std::size_t k = 0; k < cut.size(); ++k) {
+        const Segment side(cut[k], cut[(k + 1) % cut.size()]);
+        if (CGAL::do_overlap(stroke.bbox(), side.bbox()) && CGAL::do_intersect(stroke, side)) return true;
+      }
+    }
+    return false;
   }
 
   void check_no_side_twice()

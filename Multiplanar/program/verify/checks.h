@@ -42,6 +42,9 @@ void check_sheets(const Written_model& model, const std::vector<Solid>& solids, 
 /// What the sheets' SVG and DXF files show.
 void check_drawings(const Written_model& model, const std::filesystem::path& directory, Report& report);
 
+/// The sheets' PDF files: one page each, of the size of the sheet.
+void check_pdf(const Written_model& model, const std::filesystem::path& directory, Report& report);
+
 void check_panels_obj(const Written_model& model, const std::filesystem::path& directory, Report& report);
 void check_shell(const Written_model& model, const std::filesystem::path& directory, Report& report);
 /// Textures, pages, pictures: those named exist, those there are whole.

@@ -21,6 +21,7 @@ void check_all(const Written_model& model, const std::filesystem::path& director
   check_assembly(model, solids, report);
   check_sheets(model, solids, report);
   check_drawings(model, directory, report);
+  check_pdf(model, directory, report);
   check_panels_obj(model, directory, report);
   check_shell(model, directory, report);
   check_other_files(model, directory, report);

@@ -80,6 +80,7 @@ struct Part
   std::vector<Outline> holes;           ///< clockwise
   std::vector<std::array<int, 2>> tabs; ///< outline vertices i..j that form a tab or a tooth
   std::vector<Engraving> engraving;
+  std::vector<std::string> not_engraved; ///< texts that there is no room for
   Part_texture texture;
 
   /// In mm^2, holes taken off.

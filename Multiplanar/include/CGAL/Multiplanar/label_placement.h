@@ -79,14 +79,34 @@ inline Label_cell deepest_point(const Label_region& region)
   return best;
 }
 
+/// The largest place for `text` at one angle, not higher than `largest`. The plane is turned by the angle and squeezed
+/// along the base line, so that the box of the text becomes a square.
+inline Engraving label_at_angle(const std::string& text, const std::vector<Outline>& loops, double degrees,
+                                double largest)
+{
+  const double free_margin = 1.2; // the box that is kept free, in units of the text's own box
+  const double aspect = (std::max)(text_width(text), 0.1);
+  const double a = degrees * 3.14159265358979323846 / 180, c = std::cos(a), s = std::sin(a);
+  Label_region region{loops};
+  for (Outline& loop : region.loops)
+    for (Point_2& p : loop) p = Point_2((c * p.x() + s * p.y()) / aspect, c * p.y() - s * p.x());
+  const Label_cell place = deepest_point(region);
+  Engraving label;
+  label.text = text;
+  label.at = Point_2(c * place.x * aspect - s * place.y, s * place.x * aspect + c * place.y);
+  label.angle = degrees;
+  label.height = (std::min)(largest, place.depth * std::sqrt(2.) / free_margin);
+  return label;
+}
+
 } // namespace internal
 
 /*!
 \ingroup PkgMultiplanarSheets
 
-A good place for `text` inside a part, at one of thirteen angles within 90 degrees of `upright`: turned by the angle and
-squeezed along the base line, the box of the text is a square, and the largest circle holds the largest square well
-enough. Text leans away from upright only where it gets higher by a tenth for every 15 degrees.
+A good place for `text` inside a part, at one of thirteen angles within 90 degrees of `upright`, in the middle of the
+largest circle there (which holds the largest square well enough). Text leans away from upright only where it gets
+higher by a tenth for every 15 degrees.
 
 \return the engraving; its height is at most `largest`, and as small as the part demands: the caller decides what is
         legible
@@ -95,8 +115,8 @@ enough. Text leans away from upright only where it gets higher by a tenth for ev
 inline Engraving place_label(const std::string& text, const Outline& outline, const std::vector<Outline>& holes,
                              double largest, double upright = 0)
 {
-  const double free_margin = 1.2; // the box that is kept free, in units of the text's own box
-  const double aspect = (std::max)(text_width(text), 0.1);
+  std::vector<Outline> loops{outline};
+  loops.insert(loops.end(), holes.begin(), holes.end());
   Engraving best;
   best.text = text;
   for (int i = 0; i < 13; ++i) {
@@ -104,18 +124,8 @@ inline Engraving place_label(const std::string& text, const Outline& outline, co
     const double required = best.height * (1 + 0.1 * steps);
     if (i > 0 && required >= largest) break;
     const double degrees = upright + (i % 2 ? 15 : -15) * steps; // 0, 15, -15, 30, ... from upright
-    const double a = degrees * 3.14159265358979323846 / 180, c = std::cos(a), s = std::sin(a);
-    internal::Label_region region;
-    region.loops.push_back(outline);
-    region.loops.insert(region.loops.end(), holes.begin(), holes.end());
-    for (Outline& loop : region.loops)
-      for (Point_2& p : loop) p = Point_2((c * p.x() + s * p.y()) / aspect, c * p.y() - s * p.x());
-    const internal::Label_cell place = internal::deepest_point(region);
-    const double height = (std::min)(largest, place.depth * std::sqrt(2.) / free_margin);
-    if (height <= required) continue;
-    best.at = Point_2(c * place.x * aspect - s * place.y, s * place.x * aspect + c * place.y);
-    best.angle = degrees;
-    best.height = height;
+    const Engraving label = internal::label_at_angle(text, loops, degrees, largest);
+    if (label.height > required) best = label;
   }
   return best;
 }

@@ -11,21 +11,40 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Multiplanar {
 namespace internal {
 
-/// The sheets of a nest, in the order in which parts are listed. A sheet higher than wide is filled up along its
-/// height: the nest is turned by 90 degrees then.
+/// A short way from part to part, beginning at the origin: always the nearest one next.
+inline Nested_sheet in_cutting_order(const Nesting_problem& problem, Nested_sheet sheet)
+{
+  double x = 0, y = 0;
+  const auto centre = [&](const Nested_item& item) {
+    const Turned_box& box = turned(problem, item).box;
+    return Point_2(item.at.x / units_per_mm + box.width / 2, item.at.y / units_per_mm + box.height / 2);
+  };
+  for (auto next = sheet.begin(); next != sheet.end(); ++next) {
+    const auto off = [&](const Nested_item& item) { return CGAL::squared_distance(Point_2(x, y), centre(item)); };
+    std::iter_swap(next, std::min_element(next, sheet.end(), [&](const Nested_item& a, const Nested_item& b) {
+                     return std::make_pair(off(a), a.item) < std::make_pair(off(b), b.item);
+                   }));
+    x = centre(*next).x(), y = centre(*next).y();
+  }
+  return sheet;
+}
+
+/// The sheets of a nest, placements in the order in which parts should be cut. A sheet higher than wide is filled up
+/// along its height: the nest is turned by 90 degrees then.
 inline std::vector<Sheet> sheets_of_nest(const Nesting_problem& problem, const Nest& nest, const Sheet_options& o)
 {
   const double start = o.border + o.kerf / 2;
   std::vector<Sheet> sheets;
   for (const Nested_sheet& nested : nest) {
     sheets.push_back({o.width, o.height, {}});
-    for (const Nested_item& item : nested) {
+    for (const Nested_item& item : in_cutting_order(problem, nested)) {
       const Turned_box& box = turned(problem, item).box;
       Placement placement;
       placement.part = item.item;
@@ -41,8 +60,6 @@ inline std::vector<Sheet> sheets_of_nest(const Nesting_problem& problem, const N
       }
       sheets.back().placements.push_back(placement);
     }
-    std::sort(sheets.back().placements.begin(), sheets.back().placements.end(),
-              [](const Placement& a, const Placement& b) { return a.part < b.part; });
   }
   return sheets;
 }
@@ -86,7 +103,7 @@ does not begin. A part that fits a sheet at none of the angles is tried at every
 
 Sheets fill up along their longer side, one after the other; the last one is kept short.
 
-\return sheets with placements in the order of `parts`
+\return sheets with placements in an order that makes the ways between cuts short
 \pre all measures in `options` are finite and not negative, `rotations` >= 1; every part has an area and simple loops
 \throws Part_too_large if a part fits the sheet at no angle; it says how much the model would have to shrink
 */

@@ -6,6 +6,7 @@
 
 #include <CGAL/Multiplanar/internal/kernel.h>
 
+#include <cstring>
 #include <string>
 #include <utility>
 #include <vector>
@@ -126,6 +127,20 @@ inline const char* hershey_glyph(char c)
 }
 // clang-format on
 
+/// The glyphs of a text in UTF-8: printable ASCII, the degree sign and an arrow upward (U+2191), in Hershey's format
+/// both. Anything else is a question mark.
+inline std::vector<const char*> glyphs_of(const std::string& text)
+{
+  std::vector<const char*> glyphs;
+  const auto begins = [&](std::size_t i, const char* sign) { return text.compare(i, std::strlen(sign), sign) == 0; };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (begins(i, "\xc2\xb0")) glyphs.push_back("MWRFTGUITKRLPKOIPGRF"), i += 1;
+    else if (begins(i, "\xe2\x86\x91")) glyphs.push_back("KYR[RF RMLRFWL"), i += 2;
+    else glyphs.push_back(hershey_glyph(text[i]));
+  }
+  return glyphs;
+}
+
 constexpr double hershey_cap_height = 21;
 constexpr double hershey_base_line = 9;
 
@@ -138,21 +153,20 @@ using Stroke = std::vector<Kernel::Point_2>;
 inline double text_width(const std::string& text)
 {
   double sum = 0;
-  for (char c : text) {
-    const char* glyph = internal::hershey_glyph(c);
+  for (const char* glyph : internal::glyphs_of(text)) {
     sum += glyph[1] - glyph[0];
   }
   return sum / internal::hershey_cap_height;
 }
 
 /// The single strokes of `text` with capital letters 1 high, y upward, the middle of the text (half its width, half the
-/// height of a capital) at the origin. A character outside printable ASCII is drawn as a question mark.
+/// height of a capital) at the origin. What is neither printable
+/// ASCII nor a degree sign nor U+2191 (an arrow upward) is drawn as question marks.
 inline std::vector<Stroke> text_strokes(const std::string& text)
 {
   std::vector<Stroke> strokes;
   double pen = -text_width(text) / 2;
-  for (char c : text) {
-    const char* glyph = internal::hershey_glyph(c);
+  for (const char* glyph : internal::glyphs_of(text)) {
     const int left = glyph[0] - 'R', right = glyph[1] - 'R';
     Stroke stroke;
     const auto lift = [&] {

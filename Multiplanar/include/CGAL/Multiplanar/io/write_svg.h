@@ -4,6 +4,7 @@
 #ifndef CGAL_MULTIPLANAR_IO_WRITE_SVG_H
 #define CGAL_MULTIPLANAR_IO_WRITE_SVG_H
 
+#include <CGAL/Multiplanar/Palette.h>
 #include <CGAL/Multiplanar/Sheet_drawing.h>
 #include <CGAL/Multiplanar/io/number_format.h>
 
@@ -14,12 +15,6 @@
 
 namespace CGAL {
 namespace Multiplanar {
-
-/// The stroke colours by which laser software tells operations apart.
-struct Palette
-{
-  std::string engrave = "#000000", inner = "#0000ff", outer = "#ff0000";
-};
 
 namespace internal {
 
