@@ -55,7 +55,7 @@ void add_approximation_options(CLI::App& app, Settings& s, Raw_values& raw)
   app.add_option("--seed", raw.seed, "of all random choices (0)")->type_name("N");
   app.add_option("--restarts", a.restarts, "seeds tried; kept is the one whose panels are closest, both ways (1)")
       ->type_name("N");
-  app.add_option("--saliency", s.saliency_file, "where more panels are wanted: a value 0..1 a face, text or PLY")
+  app.add_option("--saliency", s.saliency_file, "where more panels are wanted: 0..1 a face, text or PLY, or a picture on the texture")
       ->type_name("FILE");
   app.add_option("--saliency-weight", a.saliency_weight,
                  "W: where saliency is 1, panels come about 1 + W/4 times closer (1)")

@@ -3,7 +3,13 @@
 
 #include "saliency.h"
 #include "Text_scanner.h"
+#include "load_appearance.h"
+#include "read_image.h"
 #include "read_mesh.h"
+
+#include <CGAL/Multiplanar/saliency_image.h>
+
+#include <stdexcept>
 
 namespace {
 
@@ -31,13 +37,25 @@ bool is_picture(std::string_view bytes)
          bytes.substr(0, 4) == "GIF8";
 }
 
+/// By triangle: the mean of the picture over its place in the texture.
+std::vector<double> values_of_picture(std::string_view bytes, const std::string& file, const Input_mesh& mesh)
+{
+  if (mesh.appearance.texture_points.empty())
+    throw input_error(mesh.file + ": has no texture coordinates, so the picture " + file +
+                      " says nothing of its faces: give a value a face, as text or PLY");
+  try {
+    return CGAL::Multiplanar::saliency_of_image(read_image(bytes), texture_points_of(mesh));
+  } catch (const std::runtime_error& error) {
+    throw input_error(file + ": " + error.what());
+  }
+}
+
 } // namespace
 
 std::vector<double> read_saliency(const std::string& file, const Input_mesh& mesh)
 {
   const std::string bytes = read_file(file);
-  if (is_picture(bytes))
-    throw usage_error(file + ": --saliency from a picture is not available yet: give a value a face, as text or PLY");
+  if (is_picture(bytes)) return values_of_picture(bytes, file, mesh);
   const bool ply = bytes.compare(0, 4, "ply\n") == 0 || bytes.compare(0, 4, "ply\r") == 0;
   const std::vector<double> values = ply ? values_of_ply(bytes, file) : values_of_text(bytes, file);
   if (int(values.size()) != mesh.faces_in_file)

@@ -38,9 +38,10 @@ std::vector<Outline> grown(const Outline& outline, const std::vector<Outline>& h
   loops.push_back(outline);
   if (!std::all_of(loops.begin(), loops.end(), [](const Outline& loop) { return is_simple_outline(loop); }))
     return loops;
+  const double radius = distance + slack, chord = 2 * std::sqrt(2 * radius * slack - slack * slack);
   Exact_polygon region(internal::oriented_loop(outline, CGAL::COUNTERCLOCKWISE));
   for (const Outline& hole : holes) region.add_hole(internal::oriented_loop(hole, CGAL::CLOCKWISE));
-  const auto sum = CGAL::minkowski_sum_2(region, internal::inscribed_polygon(distance + slack, slack));
+  const auto sum = CGAL::minkowski_sum_2(region, internal::inscribed_polygon(radius, chord));
   loops.assign(1, internal::rounded(sum.outer_boundary()));
   for (auto hole = sum.holes_begin(); hole != sum.holes_end(); ++hole) loops.push_back(internal::rounded(*hole));
   return loops;
