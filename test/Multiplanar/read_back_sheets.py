@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Reads sheets back with programs that others wrote.
 
-Usage: read_back_sheets.py MULTIPLANAR WORK_DIRECTORY [MESH]
+Usage: read_back_sheets.py MULTIPLANAR WORK_DIRECTORY frame|pear
 
-Makes parts of MESH in the folder that MULTIPLANAR_CGAL_DATA names (exit 77 if it names none), or of a frame made here, and looks at every sheet with librsvg, GDAL, ezdxf, poppler and
+Makes parts of a frame with known panels, or of a pear of triangles, and looks at every sheet with librsvg, GDAL, ezdxf, poppler and
 svgelements: sizes, layers, closed and simple cuts, text off the cuts, and the area of what is cut, which has to be the
 parts' area and half a kerf around it to 0.1 %.
 """
@@ -62,6 +62,27 @@ def frame_shell(path):
             out.write("%g %g %g\n" % p)
         for a, b, c, panel in faces:
             out.write("3 %d %d %d %d\n" % (a, b, c, panel))
+
+
+def pear(path, rows=24, columns=32):
+    """A closed surface of 1472 triangles, narrower above than below."""
+    points = [(0.0, 0.0, -1.0), (0.0, 0.0, 1.6)]
+    for i in range(1, rows):
+        a = math.pi * i / rows
+        for k in range(columns):
+            b = 2 * math.pi * k / columns
+            r = math.sin(a) * (1 + 0.3 * math.cos(a)) * (1 + 0.05 * math.cos(3 * b))
+            points.append((r * math.cos(b), 0.8 * r * math.sin(b), 0.3 - 1.3 * math.cos(a)))
+    at = lambda i, k: 2 + (i - 1) * columns + k % columns
+    faces = []
+    for k in range(columns):
+        faces += [(0, at(1, k + 1), at(1, k)), (1, at(rows - 1, k), at(rows - 1, k + 1))]
+        for i in range(1, rows - 1):
+            faces += [(at(i, k), at(i, k + 1), at(i + 1, k + 1)), (at(i, k), at(i + 1, k + 1), at(i + 1, k))]
+    with open(path, "w") as out:
+        out.write("OFF\n%d %d 0\n" % (len(points), len(faces)))
+        out.writelines("%.17g %.17g %.17g\n" % p for p in points)
+        out.writelines("3 %d %d %d\n" % f for f in faces)
 
 
 # --- What is to be expected -------------------------------------------------------------------------------------------
@@ -123,23 +144,33 @@ def look_with_svgelements(path, sheet, parts):
     return layers, area
 
 
+def cuts_by_part(path):
+    """The path data of every part's cuts, as they stand in the file."""
+    cuts, part = {}, None
+    layer = ""
+    for line in open(path):
+        if line.startswith("<g "):
+            name = line.split('id="')[1].split('"')[0] if 'id="' in line else ""
+            layer = name if name.startswith("layer-") else layer
+            part = name.rsplit("-", 1)[0] if layer == "layer-inner" else name
+        elif line.startswith("<path") and layer in ("layer-inner", "layer-outer"):
+            cuts.setdefault(part, []).append(line.split('d="')[1].split('"')[0])
+    return cuts
+
+
 def look_with_rsvg(path, sheet, work, area):
-    """Coverage: outer cuts filled black, inner ones white, the sum of what is dark."""
+    """Coverage: every part filled, without its holes; the sum of what is dark."""
     page = os.path.join(work, "page.png")
     subprocess.run(["rsvg-convert", "-d", "25.4", "-p", "25.4", "-z", "1", "-o", page, path], check=True)
     size = output_of("gdalinfo", page)
     check("Size is %d, %d" % (round(sheet["width"]), round(sheet["height"])) in size, path + ": librsvg: a pixel a mm")
-    text = open(path).read().replace('stroke-width="0.01"', 'stroke-width="0"')
-    text = text.replace('id="layer-engrave"', 'id="layer-engrave" visibility="hidden"')
-    text = text.replace('id="layer-inner"', 'id="layer-inner" fill="#fff"')
-    start = text.index('id="layer-outer"')
-    # Inner cuts have to be painted last.
-    begin = text.rindex("<g", 0, text.index('id="layer-inner"'))
-    middle = text.rindex("<g", 0, start)
-    end = text.rindex("</g>")
-    inner, outer = text[begin:middle], text[middle:end].replace('id="layer-outer"', 'id="layer-outer" fill="#000"')
     filled = os.path.join(work, "filled.svg")
-    open(filled, "w").write(text[:begin] + outer + inner + text[end:])
+    with open(filled, "w") as out:
+        out.write('<svg xmlns="http://www.w3.org/2000/svg" width="%gmm" height="%gmm" viewBox="0 0 %g %g">\n' %
+                  (2 * (sheet["width"], sheet["height"])))
+        for part, paths in cuts_by_part(path).items():
+            out.write('<path fill-rule="evenodd" d="%s"/>\n' % " ".join(paths))
+        out.write("</svg>\n")
     scale = 4
     subprocess.run(["rsvg-convert", "-d", "25.4", "-p", "25.4", "-z", str(scale), "-b", "white", "-o", page, filled],
                    check=True)
@@ -242,11 +273,9 @@ def main():
     program, work = sys.argv[1:3]
     os.makedirs(work, exist_ok=True)
     out = os.path.join(work, "out")
-    if len(sys.argv) > 3:
-        if "MULTIPLANAR_CGAL_DATA" not in os.environ:
-            sys.exit(77)
-        mesh = os.path.join(os.environ["MULTIPLANAR_CGAL_DATA"], "meshes", sys.argv[3])
-        command = [program, "make", mesh, "-k", "20", "--effort", "fast"]
+    if sys.argv[3] == "pear":
+        pear(os.path.join(work, "pear.off"))
+        command = [program, "make", os.path.join(work, "pear.off"), "-k", "20", "--effort", "fast", "--kerf", "0.25"]
     else:
         frame_shell(os.path.join(work, "frame.ply"))
         command = [program, "fabricate", os.path.join(work, "frame.ply"), "--sheet", "330x320", "--kerf", "0.2"]
