@@ -46,7 +46,7 @@ struct Sheet_options
   bool mirrored = true; ///< parts lie inner face up
 
   int rotations = 16;   ///< a part is tried at so many angles, equal steps apart, the first with its flattest box
-  int insertions = 900; ///< the search for a denser nest lays so many parts anew; 0: no search
+  int insertions = 300; ///< the search for a denser nest lays so many parts anew; 0: no search
   double seconds = -1;  ///< if not negative, the search ends after this time instead
   int threads = 0;      ///< of the search; 0: all that the machine has
 };
