@@ -78,10 +78,17 @@ private:
 
   void place_own_id(int i, Text_fitter& fitter, double largest)
   {
-    const Part& part = model.parts[i];
-    const Engraving id = place_label(part.id, part.outline, part.holes, largest, upright[i]);
-    if (id.height >= o.smallest) fitter.add(id);
-    else miss(i, part.id);
+    if (!place_id(model.parts[i], fitter, largest, upright[i])) miss(i, model.parts[i].id);
+  }
+
+  /// Where a part has most room, smaller where the clearance asks for it. \return whether it fits
+  bool place_id(const Part& part, Text_fitter& fitter, double largest, double upright_angle) const
+  {
+    Engraving id = place_label(part.id, part.outline, part.holes, largest, upright_angle);
+    while (id.height >= o.smallest && !fitter.is_clear(id)) id.height *= 0.95;
+    if (id.height < o.smallest) return false;
+    fitter.add(id);
+    return true;
   }
 
   /// An arrow; a word on a panel that lies flat.
@@ -188,9 +195,7 @@ private:
     const Text_fitter empty = fitter;
     for (double h : text_heights(o.largest_of_edges, o.smallest)) {
       Text_fitter trial = empty;
-      const Engraving id = place_label(part.id, part.outline, part.holes, h, upright[i]);
-      if (id.height < o.smallest) break;
-      trial.add(id);
+      if (!place_id(part, trial, h, upright[i])) break;
       const auto left_out = place_panels(i, trial);
       if (!left_out.empty() && h > o.smallest) continue;
       fitter = trial;
