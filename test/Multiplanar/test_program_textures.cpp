@@ -8,6 +8,8 @@
 #include "read_image.h"
 #include "write_png.h"
 
+#include <CGAL/Multiplanar/Linear_colour.h>
+
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
 
@@ -114,6 +116,21 @@ TEST_F(Textures_test, obj_with_a_material_and_seams)
   EXPECT_EQ(report["textures"]["images"], 6);
   EXPECT_NEAR(double(report["textures"]["distortion"]["median"]), 1, 1e-3);
   EXPECT_NEAR(double(report["textures"]["distortion"]["p95"]), 1, 1e-3);
+}
+
+TEST_F(Textures_test, beyond_its_border_a_texture_repeats_or_stops)
+{
+  write("cube.obj", cube_obj("cube.mtl", "skin"));
+  write("cube.mtl", "newmtl skin\nmap_Kd -o 0 1 cube texture.png\n");
+  ASSERT_EQ(make("cube.obj").code, 0);
+  expect_panels(textured);
+  write("cube.mtl", "newmtl skin\nmap_Kd -clamp on -o 0 1 0 cube texture.png\n");
+  ASSERT_EQ(make("cube.obj").code, 0);
+  expect_panels([](const double* p, int axis, int side) {
+    double top[3] = {p[0], p[1], p[2]};
+    top[Cube_side(axis, side).b] = 0.99;
+    return cube_colour(top, axis, side);
+  });
 }
 
 TEST_F(Textures_test, the_shell_keeps_the_places_and_fabricate_takes_the_looks_from_the_source)
