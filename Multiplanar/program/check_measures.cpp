@@ -42,13 +42,6 @@ void check_sheet(const Settings& s)
 {
   require_measure("--sheet width", s.sheet.width, 20, 100000);
   require_measure("--sheet height", s.sheet.height, 20, 100000);
-  require_measure("--gap", s.model.gap, 0, 1000);
-  require_measure("--margin", s.model.margin, 0, 1000);
-  if (2 * s.model.margin + s.model.kerf >= (std::min)(s.sheet.width, s.sheet.height))
-    throw input_error("--margin " + text(s.model.margin) + ": nothing of the sheet is left");
-  require_count("--rotations", s.sheet.rotations, 1, 3600);
-  if (s.sheet.seconds != -1 && !(s.sheet.seconds >= 0 && s.sheet.seconds <= 1e6))
-    throw usage_error("--nest-seconds " + text(s.sheet.seconds) + ": give a number from 0 to 1e+06");
 }
 
 void check_material(const Settings& s)
@@ -62,12 +55,24 @@ void check_material(const Settings& s)
                       text(s.model.size) + " mm");
 }
 
+void check_nesting(const Settings& s)
+{
+  require_measure("--gap", s.model.gap, 0, 1000);
+  require_measure("--margin", s.model.margin, 0, 1000);
+  if (2 * s.model.margin + s.model.kerf >= (std::min)(s.sheet.width, s.sheet.height))
+    throw input_error("--margin " + text(s.model.margin) + ": nothing of the sheet is left");
+  require_count("--rotations", s.sheet.rotations, 1, 3600);
+  if (s.sheet.seconds != -1 && !(s.sheet.seconds >= 0 && s.sheet.seconds <= 1e6))
+    throw usage_error("--nest-seconds " + text(s.sheet.seconds) + ": give a number from 0 to 1e+06");
+}
+
 } // namespace
 
 void check_measures(const Settings& s)
 {
   check_sheet(s);
   check_material(s);
+  check_nesting(s);
   if (!(s.dpi >= 10 && s.dpi <= 2400))
     throw usage_error("--dpi " + text(s.dpi) + ": give a number from 10 to 2400 dots per inch");
   require_count("--iterations", s.approximation.iterations, 1, 100000);

@@ -107,8 +107,10 @@ TEST_F(Program_test, fit_changes_what_is_cut_but_no_part)
                     .code,
                 0);
   for (const std::string joints : {"connectors", "teeth"}) {
-    const json loose = read(path(joints + "0/model.json")), tight = read(path(joints + "0.2/model.json"));
-    EXPECT_EQ(loose["parts"], tight["parts"]);
+    json loose = read(path(joints + "0/model.json")), tight = read(path(joints + "0.2/model.json"));
+    for (json* model : {&loose, &tight}) // how text stands depends on how a part lies on its sheet
+      for (json& part : (*model)["parts"]) part.erase("engraving");
+    EXPECT_TRUE(loose["parts"] == tight["parts"]);
     EXPECT_NE(content(path(joints + "0/sheets/sheet-1.svg")), content(path(joints + "0.2/sheets/sheet-1.svg")));
   }
 }
