@@ -172,7 +172,7 @@ TEST_F(Textures_test, damaged_glb_is_refused_with_one_line)
   std::ostringstream png;
   write_png(png, cube_texture());
   const std::string glb = cube_glb(png.str(), "image/png");
-  for (std::size_t n : {std::size_t(4), std::size_t(20), glb.size() / 2, glb.size() - 2000}) {
+  for (std::size_t n : {std::size_t(4), std::size_t(20), glb.size() / 2, glb.size() - 10}) {
     write("cut.glb", glb.substr(0, n));
     const Outcome outcome = make("cut.glb");
     EXPECT_EQ(outcome.code, 3) << n << outcome.out << outcome.err;
