@@ -148,7 +148,7 @@ inline std::string stl_text(const Mesh& mesh)
   return text + "endsolid test\n";
 }
 
-/// OBJ with indices counted back from the last vertex, and texture coordinates that are to be ignored.
+/// OBJ with indices counted back from the last vertex.
 inline std::string obj_text(const Mesh& mesh)
 {
   char line[128];
@@ -157,10 +157,9 @@ inline std::string obj_text(const Mesh& mesh)
     std::snprintf(line, sizeof line, "v %.17g %.17g %.17g\n", p.x(), p.y(), p.z());
     text += line;
   }
-  text += "vt 0.5 0.5\n";
   const int n = int(mesh.points.size());
   for (const auto& t : mesh.triangles) {
-    std::snprintf(line, sizeof line, "f %d/1 %d/1 %d/1\n", t[0] - n, t[1] - n, t[2] - n);
+    std::snprintf(line, sizeof line, "f %d %d %d\n", t[0] - n, t[1] - n, t[2] - n);
     text += line;
   }
   return text;

@@ -169,7 +169,7 @@ TEST_F(Program_input, unreadable_and_empty_files)
   expect_refusal("nothing.off", "OFF\n0 0 0\n", {"empty"});
   expect_refusal("points.obj", "v 0 0 0\nv 1 0 0\n", {"empty", "2 vertices"});
   expect_refusal("letter.txt", "Dear Sir or Madam,\n", {"not a mesh"});
-  expect_refusal("later.glb", std::string("glTF\2\0\0\0", 8), {"not available yet"});
+  expect_refusal("cut.glb", std::string("glTF\2\0\0\0", 8), {"damaged"});
 }
 
 TEST_F(Program_input, parse_errors_name_the_line)
