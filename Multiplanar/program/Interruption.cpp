@@ -3,14 +3,15 @@
 
 #include "Interruption.h"
 
+#include <CGAL/Multiplanar/internal/serial_libraries.h>
+
 #include <atomic>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <chrono>
 #include <thread>
 #include <utility>
 
-#include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -30,20 +31,10 @@ void remove_whole(const std::string& path)
   }
 }
 
-int signal_pipe[2];
-
-/// Runs on any thread, libraries' own ones included: all that is allowed here is to pass the number on.
-void on_signal(int signal)
+[[noreturn]] void wait_for(sigset_t signals)
 {
-  const char number = char(signal);
-  const ssize_t written = write(signal_pipe[1], &number, 1);
-  (void)written;
-}
-
-[[noreturn]] void wait_for_signal()
-{
-  char signal = SIGTERM;
-  while (read(signal_pipe[0], &signal, 1) != 1) {
+  int signal = SIGTERM;
+  while (sigwait(&signals, &signal) != 0) {
   }
   const std::lock_guard<std::mutex> lock(mutex);
   interrupted = true;
@@ -54,22 +45,30 @@ void on_signal(int signal)
   _exit(128 + signal);
 }
 
+/// OpenBLAS starts its threads before `main`, where no signal is blocked yet. It starts them anew when it needs them.
+void end_threads_of_blas()
+{
+  if (auto* end = CGAL::Multiplanar::internal::loaded_function<int()>("blas_thread_shutdown_")) end();
+}
+
 } // namespace
 
+/// The signals are blocked in every thread, and one thread takes them when they come. A handler would not do: METIS
+/// puts its own in the place of any other while it runs, and there a SIGTERM only ends METIS.
 void watch_for_interruption()
 {
-  if (pipe2(signal_pipe, O_CLOEXEC) != 0) return; // without it a signal ends the program as usual
+  end_threads_of_blas();
+  sigset_t signals;
+  sigemptyset(&signals);
   for (int s : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction action;
     sigaction(s, nullptr, &action);
     if (s == SIGHUP && action.sa_handler == SIG_IGN) continue; // started under nohup
-    action = {};
-    action.sa_handler = on_signal;
-    action.sa_flags = SA_RESTART;
-    sigaction(s, &action, nullptr);
+    sigaddset(&signals, s);
   }
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   signal(SIGPIPE, SIG_IGN); // a reader of our progress that goes away is no reason to stop
-  std::thread(wait_for_signal).detach();
+  std::thread(wait_for, signals).detach();
 }
 
 std::mutex& output_mutex() { return mutex; }
