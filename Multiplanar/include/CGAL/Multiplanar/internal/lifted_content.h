@@ -77,6 +77,19 @@ struct Planar_complex
     }
     return n;
   }
+
+  /// How many triangles are not positive wherever the others go: none of their vertices can move.
+  int count_inverted_for_good() const
+  {
+    const auto is_fixed = [&](int v) { return nodes[v].kind == Planar_node::Kind::fixed; };
+    int n = 0;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const auto& t = triangles[i];
+      n += is_fixed(t[0]) && is_fixed(t[1]) && is_fixed(t[2]) &&
+           !(doubled_area(nodes[t[0]].base, nodes[t[1]].base, nodes[t[2]].base) > tolerance[i]);
+    }
+    return n;
+  }
 };
 
 /// Total lifted content as a function of the parameters, for Ceres' unconstrained minimiser.
@@ -112,24 +125,28 @@ private:
   double lift;
 };
 
-/// Stops the minimisation as soon as every triangle is positive.
+/// Stops the minimisation as soon as every triangle is positive that can be.
 class Stop_when_injective : public ceres::IterationCallback
 {
 public:
-  Stop_when_injective(const Planar_complex& complex, const std::vector<double>& x) : complex(complex), x(x) {}
+  Stop_when_injective(const Planar_complex& complex, const std::vector<double>& x)
+      : complex(complex), x(x), fewest(complex.count_inverted_for_good())
+  {
+  }
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override
   {
     const bool look = summary.iteration % 10 == 0;
-    return look && complex.count_inverted(x.data()) == 0 ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
+    return look && complex.count_inverted(x.data()) == fewest ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
                                                          : ceres::SOLVER_CONTINUE;
   }
 
 private:
   const Planar_complex& complex;
   const std::vector<double>& x;
+  int fewest;
 };
 
-/// Moves `x` towards a minimum of the total lifted content; ends early where every triangle is positive.
+/// Moves `x` towards a minimum of the total lifted content; ends early where every triangle is positive that can be.
 inline void minimise_lifted_content(const Planar_complex& complex, double lift, std::vector<double>& x)
 {
   ceres::GradientProblem problem(new Total_lifted_content(complex, lift)); // takes ownership

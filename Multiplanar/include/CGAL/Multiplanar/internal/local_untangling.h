@@ -170,19 +170,20 @@ inline bool untangle(const Planar_complex& complex, double mean_area, std::vecto
   if (complex.unknowns == 0) return complex.count_inverted(x.data()) == 0;
   std::vector<double> best = x;
   int fewest = complex.count_inverted(x.data());
+  const int for_good = complex.count_inverted_for_good();
   const auto locally = [&] {
     Local_untangling(complex, x).run(24);
     const int inverted = complex.count_inverted(x.data());
     if (inverted < fewest) fewest = inverted, best = x;
-    return fewest == 0;
+    return fewest == for_good;
   };
-  bool done = fewest == 0 || locally();
+  bool done = fewest == for_good || locally();
   for (double alpha = 1e-2; alpha >= 1e-6 && !done; alpha *= 1e-2) {
     minimise_lifted_content(complex, alpha * mean_area, x);
     done = locally();
   }
   x = best;
-  return done;
+  return fewest == 0;
 }
 
 } // namespace internal
