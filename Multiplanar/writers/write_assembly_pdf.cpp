@@ -137,7 +137,7 @@ private:
     }
   }
 
-  static constexpr int picture_width = 690, picture_height = 480;
+  static constexpr int picture_width = 580, picture_height = 404;
 
   const Assembly_guide& guide;
   int threads;

@@ -11,7 +11,7 @@ function section(title, chips) {
   div.append(...chips);
   return chips.length ? [element('h3', title), div] : [];
 }
-function select(i) {
+function select(i, clicked) {
   state.selected = i;
   const card = $('card');
   card.hidden = i < 0;
@@ -19,6 +19,7 @@ function select(i) {
   if (i >= 0) {
     const part = model.parts[i];
     if (state.step > 0 && !isShown(part)) setStep(part.step + 1, false);
+    else if (part.kind === 'panel' && !clicked) see(part.normal, true);
     const head = element('h2'), swatch = element('em'), close = element('button', '×');
     swatch.style.background = part.colour;
     close.title = 'Let go (Esc)';

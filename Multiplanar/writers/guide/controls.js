@@ -11,7 +11,7 @@ function partAt(x, y) {
 }
 $('view').addEventListener('pointerdown', e => { pressed = [e.clientX, e.clientY]; animations.delete('camera'); });
 $('view').addEventListener('pointerup', e => {
-  if (pressed && Math.hypot(e.clientX - pressed[0], e.clientY - pressed[1]) < 5 && e.button === 0) select(partAt(e.clientX, e.clientY));
+  if (pressed && Math.hypot(e.clientX - pressed[0], e.clientY - pressed[1]) < 5 && e.button === 0) select(partAt(e.clientX, e.clientY), true);
   pressed = null;
 });
 

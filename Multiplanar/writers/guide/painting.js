@@ -9,7 +9,7 @@ const slideLength = step => (model.parts[step.parts[0]].kind === 'panel' ? 0.28 
 
 function paint(part, i, theme) {
   const selected = i === state.selected, fresh = isNew(part), pale = state.step > 0 && !fresh && !selected;
-  const base = new THREE.Color(part.colour), cut = base.clone().multiplyScalar(0.62);
+  const base = new THREE.Color(part.colour), cut = base.clone().multiplyScalar(0.75);
   if (pale) {
     base.lerp(theme.pale, 0.78);
     cut.lerp(theme.pale, 0.6);

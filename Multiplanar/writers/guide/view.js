@@ -66,17 +66,21 @@ function look(direction, animated) {
   if (animated && !still) animate('camera', 450, f => { go(f); draw(); });
   else go(1);
 }
-/// Turns the camera, if it must, so that the new panel is seen from outside, the first from inside.
-function seeNewParts(animated) {
-  const part = model.parts[model.steps[state.step - 1].parts[0]];
+/// Turns the camera, if it must, so that what faces along n is seen.
+function see(n, animated) {
   const view = camera.position.clone().sub(controls.target).normalize();
-  const n = part.kind === 'panel' ? part.normal.clone() : vec(model.steps[state.step - 1].direction);
-  if (state.step === 1) n.negate();
   if (n.dot(view) > 0.2) return;
   const level = n.clone().addScaledVector(up, -n.dot(up));
   const height = Math.max(-0.45, Math.min(0.75, n.dot(up) + 0.15));
   if (level.lengthSq() < 0.01) level.copy(view).addScaledVector(up, -view.dot(up));
   look(level.normalize().multiplyScalar(Math.sqrt(1 - height * height)).addScaledVector(up, height), animated);
+}
+
+/// The new panel is seen from outside, the first from inside.
+function seeNewParts(animated) {
+  const step = model.steps[state.step - 1], part = model.parts[step.parts[0]];
+  const n = part.kind === 'panel' ? part.normal.clone() : vec(step.direction);
+  see(state.step === 1 ? n.negate() : n, animated);
 }
 
 const animations = new Map();
