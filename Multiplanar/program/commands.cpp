@@ -6,6 +6,7 @@
 #include "Output.h"
 #include "fabricate.h"
 #include "failure.h"
+#include "guides.h"
 #include "load_appearance.h"
 #include "panels_of_shell.h"
 #include "previews.h"
@@ -126,8 +127,11 @@ public:
     progress.update("write", 0);
     write_shell(output, "shell.ply", source, points, panel_of_face);
     write_model(output, model, settings.palette, report);
-    if (settings.preview)
-      write_pictures(write, model, source, looks, textures ? textures->pictures() : Part_pictures());
+    const Preview_view view = preview_view(model.complex, settings.approximation.threads);
+    const Part_pictures pictures = textures ? textures->pictures() : Part_pictures();
+    if (settings.preview) write_pictures(write, model, source, looks, view, pictures);
+    progress.update("guide", 0);
+    write_guides(write, model, view, pictures);
     progress.update("verify", 0);
     require_proof(output.temporary_path(), settings.output);
     output.commit();
@@ -135,10 +139,9 @@ public:
   }
 
   void write_pictures(const File_writer& write, const Model& model, const Input_mesh& source,
-                      const Surface_appearance& looks, const Part_pictures& pictures)
+                      const Surface_appearance& looks, const Preview_view& view, const Part_pictures& pictures)
   {
     progress.update("preview", 0);
-    const Preview_view view = preview_view(model.complex, settings.approximation.threads);
     write_input_preview(write, mesh_scene(source.points, source.connectivity.triangles, view.up, looks), view);
     write_model_previews(write, model, view, pictures);
   }

@@ -88,7 +88,8 @@ public:
 private:
   static int count(const std::vector<bool>& set) { return int(std::count(set.begin(), set.end(), true)); }
 
-  /// Above the table, on which the base lies.
+  /// Above the table, on which the base lies; but at least as high as every unit that must be there
+  /// before it, so that these need not be placed early only because it is.
   std::vector<double> heights(int base) const
   {
     const Frame& table = problem.parts[base].frame;
@@ -97,6 +98,15 @@ private:
       const Bbox_3& box = motions.bodies_of(u).box;
       const Point_3 middle((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, (box.zmin() + box.zmax()) / 2);
       result[u] = (table.origin - middle) * table.normal;
+    }
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (const int u : units) // must come before v
+        for (const int v : motions.obstacles_of_unit(u))
+          if (problem.is_unit(v) && result[v] < result[u]) {
+            result[v] = result[u];
+            changed = true;
+          }
     }
     return result;
   }
