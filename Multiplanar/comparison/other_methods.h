@@ -10,7 +10,7 @@
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_approximation/approximate_triangle_mesh.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_policies.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
 #include <cstddef>
@@ -79,7 +79,7 @@ struct Face_limit
 inline Compared_surface surface_of_qem(Compared_mesh mesh, int k)
 {
   namespace SMS = CGAL::Surface_mesh_simplification;
-  const SMS::GarlandHeckbert_policies<Compared_mesh, Kernel> policies(mesh);
+  const SMS::GarlandHeckbert_plane_policies<Compared_mesh, Kernel> policies(mesh);
   SMS::edge_collapse(mesh, Face_limit{std::size_t(k)},
                      CGAL::parameters::get_cost(policies.get_cost()).get_placement(policies.get_placement()));
   mesh.collect_garbage();
