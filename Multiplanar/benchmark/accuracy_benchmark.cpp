@@ -10,12 +10,13 @@
 // One line a mesh and k: the symmetric Hausdorff distances of both in percent of the bounding-box diagonal, each within
 // 1e-4 of the diagonal, their ratio, and what was checked on our panels. At the end the geometric mean of the ratios.
 
+#include "../comparison/other_methods.h"
+#include "../comparison/surface_quality.h"
+
 #include <CGAL/Multiplanar/flat_panels.h>
-#include <CGAL/Multiplanar/internal/embedding.h>
 
 #include <CGAL/IO/OFF.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_approximation/approximate_triangle_mesh.h>
 
 #include <algorithm>
 #include <chrono>
@@ -31,38 +32,15 @@ namespace {
 
 using namespace CGAL::Multiplanar;
 using Mesh = CGAL::Surface_mesh<Point_3>;
-using Triangle_list = std::vector<std::array<int, 3>>;
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
-/// Hausdorff distance of CGAL's variational shape approximation with k proxies (hierarchical seeding, 50 iterations).
-double vsa_hausdorff(const Mesh& mesh, const Points& points, const Triangle_list& triangles, int k, double error)
-{
-  namespace VSA = CGAL::Surface_mesh_approximation;
-  std::vector<Point_3> anchors;
-  std::vector<std::array<std::size_t, 3>> found;
-  VSA::approximate_triangle_mesh(mesh, CGAL::parameters::seeding_method(VSA::HIERARCHICAL)
-                                           .max_number_of_proxies(k)
-                                           .number_of_iterations(50)
-                                           .anchors(std::back_inserter(anchors))
-                                           .triangles(std::back_inserter(found)));
-  Triangle_list result;
-  for (const auto& t : found) result.push_back({int(t[0]), int(t[1]), int(t[2])});
-  return symmetric_hausdorff(points, triangles, anchors, result, error).upper();
-}
 
 /// Is the triangulated surface of the panels closed and embedded? Exact.
 bool is_closed_and_embedded(const Panel_complex& complex)
 {
-  Points corners;
-  for (const auto& c : complex.corners) corners.push_back(c.point);
-  try {
-    const auto connectivity =
-        internal::make_connectivity(triangulate_panels(complex).triangles, complex.number_of_corners());
-    return internal::is_embedded(connectivity, corners);
-  } catch (const std::invalid_argument&) {
-    return false;
-  }
+  const comparison::Compared_surface surface = comparison::surface_of_panels(complex);
+  return comparison::is_closed_manifold(surface.triangles) &&
+         comparison::number_of_intersections(surface.points, surface.triangles) == 0;
 }
 
 double shortest_edge(const Panel_complex& complex)
@@ -123,7 +101,9 @@ int main(int argc, char** argv)
     const double diagonal = internal::bounding_box_diagonal(internal::as_vecs(points));
     const std::string name = file.substr(file.find_last_of('/') + 1);
     for (int k : ks) {
-      const double vsa = vsa_hausdorff(mesh, points, c.triangles, k, 1e-4 * diagonal);
+      const comparison::Compared_surface proxies = comparison::surface_of_vsa(mesh, k);
+      const double vsa =
+          symmetric_hausdorff(points, c.triangles, proxies.points, proxies.triangles, 1e-4 * diagonal).upper();
       options.max_panels = k;
       const double begin = seconds();
       const Flat_panels_result r = flat_panels(c, points, {}, options);

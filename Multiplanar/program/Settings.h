@@ -11,6 +11,7 @@
 #include <CGAL/Multiplanar/Palette.h>
 
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Multiplanar {
@@ -21,12 +22,14 @@ enum class Joint_mode; // in Joint_options.h, which takes long to compile
 /// What the command line asks for.
 struct Settings
 {
-  std::string command; ///< make, approximate, fabricate, verify or preview
+  std::string command; ///< make, approximate, fabricate, verify, compare or preview
   std::string input, output;
   std::string saliency_file; ///< empty: none
   std::string source;        ///< the mesh that a shell was made from, for its looks; empty: none
   double dpi = 150;          ///< of textures
   CGAL::Multiplanar::Approximation_options approximation;
+  std::vector<int> panel_numbers; ///< compare: each k in turn
+  bool tsv = false;               ///< compare: tab-separated values instead of a table
   double min_edge = -1;  ///< mm on the finished model; negative: half the thickness
   double min_width = -1; ///< mm on the finished model; negative: the thickness
   CGAL::Multiplanar::Model_settings model;

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <map>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,14 +26,13 @@ using CGAL::Multiplanar::Effort;
 using CGAL::Multiplanar::Joint_mode;
 using CGAL::Multiplanar::Solver;
 
-/// Options and commands of the documented interface that cannot do their work yet.
+/// Options of the documented interface that cannot do their work yet.
 const std::vector<std::string> missing_options = {"--repair"};
-const std::map<std::string, std::string> missing_commands = {
-    {"compare", "compare with other methods (not available yet)"}};
 
 /// Values that the parser holds as text until they are checked.
 struct Raw_values
 {
+  std::string panel_numbers = "30,50,70,90"; ///< of compare
   std::string seed = "0", effort = "normal", solver = "auto", sheet = "600x400", joints = "auto", engrave = "inside";
   std::string palette = "default";
   std::string material; ///< empty: none
@@ -46,27 +45,47 @@ void add_files(CLI::App& app, Settings& s, const std::string& input, const std::
   app.add_option("-o,--output", s.output, output)->required()->type_name("PATH");
 }
 
-void add_approximation_options(CLI::App& app, Settings& s, Raw_values& raw)
+/// How panels are looked for, whatever their number.
+void add_search_options(CLI::App& app, Settings& s, Raw_values& raw)
 {
   auto& a = s.approximation;
-  app.add_option("-k,--panels", a.panels, "at most so many panels (50)")->type_name("N");
   app.add_option("--effort", raw.effort, "fast, normal or best (normal)")->type_name("NAME");
   app.add_option("--iterations", a.iterations, "passes of the main loop (50)")->type_name("N");
   app.add_option("--seed", raw.seed, "of all random choices (0)")->type_name("N");
   app.add_option("--restarts", a.restarts, "seeds tried; kept is the one whose panels are closest, both ways (1)")
       ->type_name("N");
-  app.add_option("--saliency", s.saliency_file, "where more panels are wanted: 0..1 a face, text or PLY, or a picture on the texture")
-      ->type_name("FILE");
-  app.add_option("--saliency-weight", a.saliency_weight,
-                 "W: where saliency is 1, panels come about 1 + W/4 times closer (1)")
-      ->type_name("W");
   app.add_option("--smoothness", a.smoothness, "weight of the smoothness term (0)")->type_name("W");
   app.add_option("--min-edge", s.min_edge, "shorter edges of panels are removed (half the thickness)")->type_name("MM");
   app.add_option("--min-width", s.min_width, "narrower panels are merged (the thickness)")->type_name("MM");
   app.add_option("--solver", raw.solver, "auto, ceres or direct (auto)")->type_name("NAME");
-  for (const char* name : {"--panels", "--effort", "--iterations", "--seed", "--restarts", "--saliency",
-                           "--saliency-weight", "--smoothness", "--min-edge", "--min-width", "--solver"})
+  for (const char* name :
+       {"--effort", "--iterations", "--seed", "--restarts", "--smoothness", "--min-edge", "--min-width", "--solver"})
     app.get_option(name)->group("Shape");
+}
+
+void add_approximation_options(CLI::App& app, Settings& s, Raw_values& raw)
+{
+  auto& a = s.approximation;
+  app.add_option("-k,--panels", a.panels, "at most so many panels (50)")->type_name("N")->group("Shape");
+  add_search_options(app, s, raw);
+  app.add_option("--saliency", s.saliency_file,
+                 "where more panels are wanted: 0..1 a face, text or PLY, or a picture on the texture")
+      ->type_name("FILE")
+      ->group("Shape");
+  app.add_option("--saliency-weight", a.saliency_weight,
+                 "W: where saliency is 1, panels come about 1 + W/4 times closer (1)")
+      ->type_name("W")
+      ->group("Shape");
+}
+
+void add_comparison_options(CLI::App& app, Settings& s, Raw_values& raw)
+{
+  app.add_option("INPUT", s.input, "mesh: OFF, PLY, STL, OBJ or GLB")->required()->type_name("");
+  app.add_option("-k,--panels", raw.panel_numbers, "numbers of panels, one comparison each (30,50,70,90)")
+      ->type_name("N,N,...")
+      ->group("Shape");
+  add_search_options(app, s, raw);
+  app.add_flag("--tsv", s.tsv, "tab-separated values, and nothing else on standard output")->group("Run");
 }
 
 /// What --min-edge and --min-width are measured on, where nothing is cut.
@@ -135,9 +154,9 @@ Value chosen(const std::string& option, const std::string& word,
   throw usage_error(option + " " + quoted(word) + ": give one of " + list);
 }
 
-Progress::Style progress_style(const Raw_values& raw)
+Progress::Style progress_style(const Raw_values& raw, bool tsv)
 {
-  if (raw.quiet) return Progress::Style::quiet;
+  if (raw.quiet || tsv) return Progress::Style::quiet;
   if (raw.json_progress) return Progress::Style::json;
   return isatty(STDOUT_FILENO) ? Progress::Style::bar : Progress::Style::lines;
 }
@@ -149,6 +168,19 @@ std::uint64_t read_seed(const std::string& text)
   if (!parse_integer(text, seed) || seed < 0)
     throw usage_error("--seed " + quoted(text) + ": give a whole number from 0 to 9223372036854775807");
   return std::uint64_t(seed);
+}
+
+std::vector<int> read_panel_numbers(const std::string& text)
+{
+  std::vector<int> numbers;
+  for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
+    end = text.find(',', begin);
+    long long k = 0;
+    if (!parse_integer(std::string_view(text).substr(begin, end - begin), k) || k < 1 || k > 1000000)
+      throw usage_error("--panels " + quoted(text) + ": give numbers with commas between them, for instance 30,50,70");
+    numbers.push_back(int(k));
+  }
+  return numbers;
 }
 
 std::string list_of_materials()
@@ -191,7 +223,8 @@ void read_choices(const Raw_values& raw, Settings& s)
   for (const CGAL::Multiplanar::Palette& palette : CGAL::Multiplanar::palettes())
     palettes.push_back({palette.name, palette});
   s.palette = chosen<CGAL::Multiplanar::Palette>("--palette", raw.palette, palettes);
-  s.progress = progress_style(raw);
+  s.panel_numbers = read_panel_numbers(raw.panel_numbers);
+  s.progress = progress_style(raw, s.tsv);
 }
 
 /// Values that stand in several places.
@@ -208,9 +241,6 @@ void copy_shared_values(Settings& s)
 
 void refuse_missing(const CLI::App& command)
 {
-  if (missing_commands.count(command.get_name()) > 0)
-    throw usage_error(command.get_name() +
-                      " is not available yet: make, approximate, fabricate, verify and preview are");
   for (const std::string& name : missing_options)
     if (command.get_option_no_throw(name) != nullptr && command.count(name) > 0)
       throw usage_error(name + " is not available yet: leave it out");
@@ -246,6 +276,9 @@ std::optional<Settings> parse_command_line(int argc, char** argv)
   CLI::App* verify = app.add_subcommand("verify", "checks what make or fabricate wrote by digital assembly");
   verify->add_option("DIR", s.input, "folder that make or fabricate wrote")->required()->type_name("");
   verify->footer("");
+  CLI::App* compare = app.add_subcommand("compare", "a table: this method and CGAL's VSA and QEM on the same mesh");
+  add_comparison_options(*compare, s, raw);
+  add_measures(*compare, s);
   CLI::App* preview = app.add_subcommand("preview", "draws the pictures of what make or fabricate wrote anew");
   preview->add_option("DIR", s.input, "folder that make or fabricate wrote")->required()->type_name("");
   fabricate->add_option("--source", s.source, "the mesh that the PLY was made from: its colours go onto the panels")
@@ -254,11 +287,10 @@ std::optional<Settings> parse_command_line(int argc, char** argv)
   for (CLI::App* command : {make, fabricate})
     command->add_flag("--preview,!--no-preview", s.preview, "pictures of all in the folder preview (yes)")
         ->group("Run");
-  for (CLI::App* command : {make, approximate, fabricate, preview}) {
+  for (CLI::App* command : {make, approximate, fabricate, compare, preview}) {
     add_run_options(*command, s, raw);
     command->footer("");
   }
-  for (const auto& missing : missing_commands) app.add_subcommand(missing.first, missing.second)->allow_extras();
 
   try {
     app.parse(argc, argv);

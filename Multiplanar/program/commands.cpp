@@ -14,18 +14,16 @@
 #include "read_mesh.h"
 #include "run_approximation.h"
 #include "saliency.h"
+#include "smallest_measures.h"
 #include "summary.h"
 #include "textures.h"
 
 #include <CGAL/Multiplanar/io/write_shell_ply.h>
-#include <CGAL/Multiplanar/Joint_options.h>
 #include <CGAL/Multiplanar/make_panel_complex.h>
-#include <CGAL/Bbox_3.h>
 #include <CGAL/version.h>
 
 #include <ceres/version.h>
 
-#include <algorithm>
 #include <chrono>
 #include <optional>
 
@@ -74,7 +72,7 @@ public:
     Approximation_options options = settings.approximation;
     check_number_of_panels(mesh, options.panels);
     if (!settings.saliency_file.empty()) options.saliency = read_saliency(settings.saliency_file, mesh);
-    set_smallest_measures(mesh, options);
+    set_smallest_measures(settings, mesh, options);
     report.options = options;
     Approximation_result result = run_approximation(mesh, options, progress);
     report.accuracy = accuracy_of(result);
@@ -163,19 +161,6 @@ private:
     Input_mesh mesh = make_input_mesh(std::move(soup), file);
     progress.finish();
     return mesh;
-  }
-
-  /// Shortest edge, smallest width and thickness in the units of the mesh.
-  void set_smallest_measures(const Input_mesh& mesh, Approximation_options& options) const
-  {
-    const CGAL::Bbox_3 box = CGAL::bbox_3(mesh.points.begin(), mesh.points.end());
-    const double longest = (std::max)({box.x_span(), box.y_span(), box.z_span()});
-    const double units_per_mm = longest / settings.model.size;
-    const double edge = settings.min_edge >= 0 ? settings.min_edge : settings.model.thickness / 2;
-    const double width = settings.min_width >= 0 ? settings.min_width : settings.model.thickness;
-    options.min_edge = (std::max)(edge * units_per_mm, 1e-9 * mesh.diagonal); // 0 would mean the library's default
-    options.min_width = (std::max)(width * units_per_mm, 1e-9 * mesh.diagonal);
-    if (settings.joints != Joint_mode::none) options.sheet_thickness = settings.model.thickness * units_per_mm;
   }
 
   void warn(const std::vector<std::string>& lines)

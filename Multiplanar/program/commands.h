@@ -11,6 +11,7 @@ void make(const Settings& settings, Progress& progress);
 void approximate(const Settings& settings, Progress& progress);
 void fabricate(const Settings& settings, Progress& progress);
 void verify(const Settings& settings);
+void compare(const Settings& settings, Progress& progress);
 void preview(const Settings& settings, Progress& progress);
 
 #endif // MULTIPLANAR_PROGRAM_COMMANDS_H

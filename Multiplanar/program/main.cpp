@@ -40,6 +40,7 @@ void run(const Settings& settings, Progress& progress)
   if (settings.command == "approximate") approximate(settings, progress);
   if (settings.command == "fabricate") fabricate(settings, progress);
   if (settings.command == "verify") verify(settings);
+  if (settings.command == "compare") compare(settings, progress);
   if (settings.command == "preview") preview(settings, progress);
 }
 

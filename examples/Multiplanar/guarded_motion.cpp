@@ -6,6 +6,8 @@
 //
 // Usage: guarded_motion [mesh.off] [output.off] [steps]. Without a mesh: a horseshoe made in code.
 
+#include "horseshoe.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Multiplanar/guarded_motion.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -23,40 +25,10 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-/// A closed tube of radius 0.3 along five sixths of a circle of radius 1, its ends pointing at each other.
-Mesh horseshoe(int around, int along)
-{
-  Mesh mesh;
-  const double pi = std::acos(-1.);
-  std::vector<Mesh::Vertex_index> ring, start;
-  const auto place = [&](double angle, double radius, double turn) {
-    const double r = 1 + radius * std::cos(turn);
-    return mesh.add_vertex(Kernel::Point_3(r * std::cos(angle), r * std::sin(angle), radius * std::sin(turn)));
-  };
-  const auto first_tip = place(0, 0, 0);
-  for (int i = 0; i <= along; ++i) {
-    const double angle = 5. / 3 * pi * i / along;
-    std::vector<Mesh::Vertex_index> next;
-    for (int j = 0; j < around; ++j) next.push_back(place(angle, 0.3, 2 * pi * j / around));
-    for (int j = 0; j < around; ++j) {
-      const int k = (j + 1) % around;
-      if (i == 0) mesh.add_face(first_tip, next[j], next[k]);
-      else {
-        mesh.add_face(ring[j], next[k], ring[k]);
-        mesh.add_face(ring[j], next[j], next[k]);
-      }
-    }
-    ring = next;
-  }
-  const auto last_tip = place(5. / 3 * pi, 0, 0);
-  for (int j = 0; j < around; ++j) mesh.add_face(last_tip, ring[(j + 1) % around], ring[j]);
-  return mesh;
-}
-
 int main(int argc, char* argv[])
 {
   Mesh mesh;
-  if (argc < 2) mesh = horseshoe(24, 60);
+  if (argc < 2) mesh = horseshoe<Mesh, Kernel::Point_3>(24, 60);
   else if (!CGAL::IO::read_polygon_mesh(argv[1], mesh)) {
     std::cerr << argv[1] << ": cannot be read" << std::endl;
     return EXIT_FAILURE;

@@ -7,13 +7,10 @@
 // both; and how far the halves are from the panels, in per cent of the diagonal of the sphere's bounding box.
 //   saliency [panels [fast|normal [W ...]]]
 
+#include "painted_sphere.h"
+
 #include <CGAL/multiplanar_approximation.h>
 
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/generators.h>
-#include <CGAL/subdivision_method_3.h>
-
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -21,47 +18,8 @@
 #include <vector>
 
 namespace MP = CGAL::Multiplanar;
-using Mesh = CGAL::Surface_mesh<MP::Point_3>;
-using Triangles = std::vector<std::array<int, 3>>;
 
 namespace {
-
-Mesh unit_sphere()
-{
-  Mesh mesh;
-  CGAL::make_icosahedron(mesh, MP::Point_3(0, 0, 0), 1.);
-  CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(4));
-  for (auto v : mesh.vertices()) {
-    const MP::Vector_3 d = mesh.point(v) - CGAL::ORIGIN;
-    mesh.point(v) = CGAL::ORIGIN + d / std::sqrt(d.squared_length());
-  }
-  return mesh;
-}
-
-/// The sphere as arrays, and for each face the height of its centroid.
-struct Sphere
-{
-  MP::Points points;
-  Triangles triangles, half[2]; ///< all, the lower ones, the upper ones
-  std::vector<double> height;
-
-  explicit Sphere(const Mesh& mesh)
-  {
-    for (auto v : mesh.vertices()) points.push_back(mesh.point(v));
-    for (auto f : mesh.faces()) {
-      std::array<int, 3> t;
-      double z = 0;
-      int i = 0;
-      for (auto v : vertices_around_face(mesh.halfedge(f), mesh)) {
-        z += mesh.point(v).z() / 3;
-        t[i++] = int(v);
-      }
-      triangles.push_back(t);
-      half[z > 0].push_back(t);
-      height.push_back(z);
-    }
-  }
-};
 
 void print_line(double weight, const Sphere& sphere, const MP::Approximation_result& result)
 {

@@ -27,11 +27,11 @@ struct Approximation_options
 {
   int panels = 50;       ///< k: at most so many panels
   int iterations = 50;   ///< passes of the paper's loop; w_p goes from 1 to 2000 over them
-  std::uint64_t seed = 0;
+  std::uint64_t seed = 0; ///< of the first planes
   int restarts = 1;      ///< seeds tried; the best result is kept
   int threads = 0;       ///< 0: all that the machine has
-  Effort effort = Effort::normal;
-  Solver solver = Solver::automatic;
+  Effort effort = Effort::normal;    ///< how long to look for closer panels
+  Solver solver = Solver::automatic; ///< automatic: the direct one
   double smoothness = 0;          ///< weight of eq. 9
   std::vector<double> saliency;   ///< s in 0..1 per face, empty: none
   double saliency_weight = 1;     ///< W of w_t = W (1 - s)
@@ -45,14 +45,14 @@ struct Approximation_result
 {
   std::vector<Point_3> points;     ///< the moved vertices
   std::vector<int> panel_of_face;  ///< 0 .. complex.number_of_panels() - 1
-  Panel_complex complex;
+  Panel_complex complex;           ///< the panels as polygons
   bool embedded = false;           ///< checked exactly on `points`
   int iterations = 0;              ///< passes done
   bool converged = false;          ///< stopped because nothing changed
   double hausdorff = 0;            ///< symmetric, in input units
   double hausdorff_to_panels = 0;  ///< from the input to the panels
   double hausdorff_to_input = 0;   ///< from the panels to the input
-  double mean_distance = 0;
+  double mean_distance = 0;        ///< between input and panels, the mean of both directions
   double planarity_deviation = 0;  ///< largest distance of a vertex from its panel's plane
   std::map<std::string, double> seconds; ///< by stage
   std::vector<Labelling_record> labellings; ///< what each labelling did to the energy, by restart and pass

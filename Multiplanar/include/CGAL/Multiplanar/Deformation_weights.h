@@ -43,7 +43,7 @@ struct Deformation_weights
 
   /// Flattening weight w_p of the first and of the last pass. Positive.
   double flattening_first = 1;
-  double flattening_last = 2000;
+  double flattening_last = 2000; ///< of the last pass
 
   /// The flattening weight of pass `pass` of 0 .. `number_of_passes` - 1: in geometric progression from
   /// `flattening_first` to `flattening_last`, so that every pass adds the same share. A single pass gets the last.
@@ -53,7 +53,7 @@ struct Deformation_weights
     if (pass + 1 == number_of_passes) return flattening_last;
     return flattening_first * std::pow(flattening_last / flattening_first, double(pass) / (number_of_passes - 1));
   }
-
+  /// Are all weights finite and in their ranges?
   bool is_valid() const
   {
     return similarity > 0 && transformation >= 0 && smoothness >= 0 && flattening_first > 0 && flattening_last > 0 &&

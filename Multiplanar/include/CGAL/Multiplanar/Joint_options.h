@@ -26,9 +26,10 @@ enum class Joint_mode
 };
 
 /// \ingroup PkgMultiplanarParts
+/// Which joints are made, and how large. Lengths are in mm.
 struct Joint_options : Truncation_options
 {
-  Joint_mode mode = Joint_mode::automatic;
+  Joint_mode mode = Joint_mode::automatic; ///< for every edge
   std::vector<Joint_mode> mode_of_edge; ///< overrides `mode` edge by edge unless empty
   /// Sizes of connectors, tried in this order; those with tabs narrower than the sheet is thick are a last resort,
   /// where teeth are impossible.
@@ -38,21 +39,23 @@ struct Joint_options : Truncation_options
   double clearance = 0.1;  ///< free space around a connector's body, in mm
   double shallowest_tooth = 0.8; ///< teeth less deep than this, in mm, do not count
 
+  /// What is asked for at an edge.
   Joint_mode mode_at(int edge) const { return mode_of_edge.empty() ? mode : mode_of_edge[edge]; }
 };
 
 /// A connector in its place.
 struct Placed_connector
 {
-  int edge;
+  int edge;        ///< of the complex
   double position; ///< along the edge, from its first corner to the near face of the connector, in mm
   Frame frame;     ///< of the profile
-  Connector_profile profile;
+  Connector_profile profile;    ///< its shape
   std::array<int, 2> pieces;    ///< which piece of either panel of the edge it goes through
   std::array<Outline, 2> slots; ///< in the frames of these panels; clockwise rectangles
 };
 
 /// \ingroup PkgMultiplanarParts
+/// What `join_panels()` makes of the panels and edges of a complex.
 struct Joints
 {
   Truncation truncation;                    ///< with teeth

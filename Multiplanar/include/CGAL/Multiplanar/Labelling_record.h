@@ -26,7 +26,7 @@ struct Labelling_record
 
   int sweeps = 0;             ///< of the alpha-expansion over all labels
   std::size_t expansions = 0; ///< that lowered the energy
-  int merges = 0, splits = 0; ///< of pieces and panels
+  int merges = 0 /**< of pieces */, splits = 0 /**< of panels */;
   int number_of_panels = 0;   ///< in the end
   int changed_faces = 0;      ///< faces whose label is another one than before
 };

@@ -14,8 +14,8 @@ namespace Multiplanar {
 /// A sheet material and how it is cut; all in mm.
 struct Material
 {
-  const char* name;
-  double thickness;
+  const char* name; ///< as `--material` takes it
+  double thickness; ///< of the sheet, in mm
   double kerf; ///< full width of the cut
   double fit;  ///< by how much a tab is wider than its slot
 };

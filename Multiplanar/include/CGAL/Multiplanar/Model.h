@@ -22,6 +22,7 @@ namespace Multiplanar {
 /// What holds the two panels of an edge together.
 struct Edge_joint
 {
+  /// The kinds of joints; `none` means glue.
   enum class Kind
   {
     connector,
@@ -29,11 +30,12 @@ struct Edge_joint
     none
   };
 
-  Kind kind = Kind::none;
+  Kind kind = Kind::none;         ///< what it is
   std::vector<std::string> parts; ///< ids of the connectors
   std::string reason;             ///< why there is no joint, if there is none
 };
 
+/// The word for it in model.json.
 inline const char* to_string(Edge_joint::Kind kind)
 {
   switch (kind) {
@@ -50,26 +52,26 @@ inline const char* to_string(Edge_joint::Kind kind)
 /// The measures that parts were made with, in mm.
 struct Model_settings
 {
-  int panels = 50;
-  double size = 300;
-  double thickness = 3;
-  double kerf = 0.15;
-  double fit = 0.05;
+  int panels = 50;      ///< k that was asked for
+  double size = 300;    ///< longest side of the model
+  double thickness = 3; ///< of the material
+  double kerf = 0.15;   ///< full width of the cut
+  double fit = 0.05;    ///< interference across the thickness of a joint
   double margin = 5; ///< of the sheets
   double gap = 1;    ///< between parts on a sheet
-  std::uint64_t seed = 0;
+  std::uint64_t seed = 0; ///< of the approximation
 };
 
 /// A model ready for the workshop, in mm: its panels, what joins them, the parts to cut and the sheets they lie on.
 struct Model
 {
-  std::string input_file;
+  std::string input_file; ///< its name, without folders
   double scale = 1; ///< mm per unit of the input
-  Model_settings settings;
-  Panel_complex complex;
+  Model_settings settings;        ///< what it was made with
+  Panel_complex complex;          ///< its panels, in mm
   std::vector<Edge_joint> joints; ///< by edge of the complex
-  std::vector<Part> parts;
-  std::vector<Sheet> sheets;
+  std::vector<Part> parts;        ///< panels, then connectors
+  std::vector<Sheet> sheets;      ///< where the parts lie
   std::vector<Assembly_step> assembly; ///< empty if there is no order
 };
 
@@ -82,11 +84,13 @@ inline std::string numbered_id(char letter, int index, int count, int digits)
   return buffer;
 }
 
+/// "P07": panels are counted from 0, their ids from 1.
 inline std::string panel_id(const Panel_complex& complex, int panel)
 {
   return numbered_id('P', panel, complex.number_of_panels(), 2);
 }
 
+/// "E001": edges are counted from 0, their ids from 1.
 inline std::string edge_id(const Panel_complex& complex, int edge)
 {
   return numbered_id('E', edge, complex.number_of_edges(), 3);
@@ -98,6 +102,7 @@ inline int panel_number(const Part& part)
   return part.kind == Part::Kind::panel && part.id.size() > 1 ? std::atoi(part.id.c_str() + 1) - 1 : -1;
 }
 
+/// The file of a sheet (counted from 0), relative to the folder of the model.
 inline std::string sheet_file(int sheet, const char* extension)
 {
   return "sheets/sheet-" + std::to_string(sheet + 1) + "." + extension;

@@ -14,8 +14,10 @@ namespace Multiplanar {
 /// The stroke colours by which laser software tells operations apart: all different.
 struct Palette
 {
-  std::string name = "default";
-  std::string engrave = "#000000", inner = "#0000ff", outer = "#ff0000";
+  std::string name = "default";    ///< as `--palette` takes it
+  std::string engrave = "#000000"; ///< texts and marks
+  std::string inner = "#0000ff";   ///< cuts inside of parts: slots and holes
+  std::string outer = "#ff0000";   ///< outlines
 };
 
 /*!

@@ -34,7 +34,7 @@ public:
   /// A point where at least three panels meet.
   struct Corner
   {
-    Point_3 point;
+    Point_3 point;           ///< where it is
     int vertex = -1;         ///< the mesh vertex it stands on, -1 if there is no mesh
     std::vector<int> panels; ///< the panels around it, counter-clockwise
     std::vector<int> edges;  ///< `edges[i]` separates `panels[i]` from its successor in that order
@@ -44,41 +44,41 @@ public:
   /// A boundary that passes no corner is an edge with corners {-1, -1}: no flat panels can have it.
   struct Edge
   {
-    std::array<int, 2> corners{{-1, -1}};
-    std::array<int, 2> panels{{-1, -1}};
+    std::array<int, 2> corners{{-1, -1}}; ///< its ends; -1, -1 if it is closed
+    std::array<int, 2> panels{{-1, -1}};  ///< on its left from the first corner to the second, and on its right
     std::vector<int> chain; ///< mesh vertices from end to end, both ends included; empty if there is no mesh
 
-    bool is_closed() const { return corners[0] < 0; }
+    bool is_closed() const { return corners[0] < 0; } ///< a boundary without corners?
   };
 
   /// An edge as one of its two panels sees it.
   struct Side
   {
-    int edge = -1;
+    int edge = -1;     ///< of the complex
     int direction = 0; ///< 0: along the edge (the panel is `panels[0]`), 1: against it
   };
 
-  using Loop = std::vector<Side>;
+  using Loop = std::vector<Side>; ///< the sides in order, the panel on their left
 
   /// A polygon; `loops[0]` is the outer one.
   struct Panel
   {
-    Plane plane;
-    std::vector<Loop> loops;
+    Plane plane;             ///< with the normal outward
+    std::vector<Loop> loops; ///< the outer one first, then holes
     std::vector<int> faces; ///< the mesh faces it consists of; empty if there is no mesh
     int euler = 1;          ///< Euler characteristic: 2 - loops for a planar domain
   };
 
-  int number_of_corners() const { return int(corners.size()); }
-  int number_of_edges() const { return int(edges.size()); }
-  int number_of_panels() const { return int(panels.size()); }
+  int number_of_corners() const { return int(corners.size()); } ///< corners are 0 .. this - 1
+  int number_of_edges() const { return int(edges.size()); }     ///< edges are 0 .. this - 1
+  int number_of_panels() const { return int(panels.size()); }   ///< panels are 0 .. this - 1
 
   /// The corner where a side begins, walking with its panel on the left (-1 on a closed edge).
   int source(const Side& s) const { return edges[s.edge].corners[s.direction]; }
-  int target(const Side& s) const { return edges[s.edge].corners[1 - s.direction]; }
+  int target(const Side& s) const { return edges[s.edge].corners[1 - s.direction]; } ///< the corner where it ends
   /// The panel that the side belongs to, and the one across it.
   int panel(const Side& s) const { return edges[s.edge].panels[s.direction]; }
-  int neighbour(const Side& s) const { return edges[s.edge].panels[1 - s.direction]; }
+  int neighbour(const Side& s) const { return edges[s.edge].panels[1 - s.direction]; } ///< the panel across it
   /// The panel that edge `e` shares with panel `p`.
   int other_panel(int e, int p) const { return edges[e].panels[0] == p ? edges[e].panels[1] : edges[e].panels[0]; }
 
@@ -108,6 +108,7 @@ public:
     CGAL_precondition(!edges[e].is_closed());
     return corners[edges[e].corners[1]].point - corners[edges[e].corners[0]].point;
   }
+  /// \pre the edge is not closed
   double edge_length(int e) const { return std::sqrt(edge_vector(e).squared_length()); }
 
   /// The interior dihedral angle at edge `e`, in degrees, in (0, 360): below 180 where the solid is convex. It is
@@ -147,9 +148,9 @@ public:
     return worst;
   }
 
-  std::vector<Corner> corners;
-  std::vector<Edge> edges;
-  std::vector<Panel> panels;
+  std::vector<Corner> corners; ///< where three or more panels meet
+  std::vector<Edge> edges;     ///< each between two panels
+  std::vector<Panel> panels;   ///< the polygons
 };
 
 } // namespace Multiplanar

@@ -15,13 +15,15 @@ namespace Multiplanar {
 /// Thrown when a part fits no sheet at any angle that was tried.
 struct Part_too_large : std::runtime_error
 {
+  /// \param part, w, h, f the members `id`, `width`, `height`, `factor`
   Part_too_large(std::string part, double w, double h, double f)
       : std::runtime_error("part " + part + " is larger than the sheet"), id(std::move(part)), width(w), height(h),
         factor(f)
   {
   }
   std::string id;       ///< the part that exceeds the sheet most
-  double width, height; ///< of the smallest rectangle around it, in mm, width >= height
+  double width;         ///< of the smallest rectangle around it, in mm
+  double height;        ///< of that rectangle, not more than its width
   double factor;        ///< every part fits once everything is scaled by this number (< 1)
 };
 

@@ -13,8 +13,8 @@ namespace Multiplanar {
 /// `normal` has unit length up to rounding and points out of the solid.
 struct Plane
 {
-  Vector_3 normal = Vector_3(0, 0, 1);
-  double offset = 0;
+  Vector_3 normal = Vector_3(0, 0, 1); ///< of unit length, up to rounding
+  double offset = 0;                   ///< d
 };
 
 /// Signed distance of `p` from `plane`, positive outside.

@@ -22,10 +22,10 @@ namespace Multiplanar {
 struct Potts_graph
 {
   std::vector<int> begin = {0}; ///< size: nodes + 1
-  std::vector<int> adjacent;
-  std::vector<double> weight;
+  std::vector<int> adjacent;    ///< the neighbours of all nodes, one after the other
+  std::vector<double> weight;   ///< w_pq of each of these, >= 0
 
-  int nodes() const { return int(begin.size()) - 1; }
+  int nodes() const { return int(begin.size()) - 1; } ///< how many there are
 };
 
 /// Builds a Potts graph over nodes 0 .. `nodes` - 1.

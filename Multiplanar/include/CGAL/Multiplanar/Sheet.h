@@ -16,10 +16,12 @@ namespace Multiplanar {
 struct Placement
 {
   int part = -1; ///< position in the list of parts
-  double x = 0, y = 0;
-  double rotation = 0;
-  bool mirrored = false;
+  double x = 0;  ///< of the part's origin on the sheet, in mm
+  double y = 0;  ///< upward
+  double rotation = 0;   ///< in degrees, counter-clockwise
+  bool mirrored = false; ///< x -> -x first
 
+  /// From the part to the sheet: mirrored, then turned, then moved.
   Point_2 operator()(const Point_2& p) const
   {
     const double a = rotation * 3.14159265358979323846 / 180, c = std::cos(a), s = std::sin(a);
@@ -31,14 +33,16 @@ struct Placement
 /// A rectangle of material with its parts; the lower left corner is the origin, y points upward, lengths are in mm.
 struct Sheet
 {
-  double width = 0, height = 0;
-  std::vector<Placement> placements;
+  double width = 0;                  ///< in mm
+  double height = 0;                 ///< in mm
+  std::vector<Placement> placements; ///< each part at most once
 };
 
 /// How parts are laid on sheets.
 struct Sheet_options
 {
-  double width = 600, height = 400;
+  double width = 600;   ///< of a sheet, in mm
+  double height = 400;  ///< of a sheet, in mm
   double border = 5;    ///< free margin along the edge of a sheet
   double gap = 1;       ///< material left between two parts, in mm
   double kerf = 0;      ///< full width of the cut

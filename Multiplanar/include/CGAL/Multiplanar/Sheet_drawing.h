@@ -20,7 +20,7 @@ namespace Multiplanar {
 /// What a machine does to one part, in the coordinates of its sheet (mm, y upward).
 struct Part_drawing
 {
-  std::string id;
+  std::string id;                ///< of the part
   std::vector<Stroke> engraving; ///< open lines
   std::vector<Outline> inner;    ///< closed cuts of holes
   std::vector<Outline> outer;    ///< the closed cut that frees the part
@@ -29,8 +29,9 @@ struct Part_drawing
 /// The lines of one sheet, the same for every file format.
 struct Sheet_drawing
 {
-  double width = 0, height = 0;
-  std::vector<Part_drawing> parts;
+  double width = 0;                  ///< of the sheet, in mm
+  double height = 0;                 ///< of the sheet, in mm
+  std::vector<Part_drawing> parts;   ///< in the order of the placements
   std::vector<std::string> warnings; ///< cuts that could not be drawn as they should
 };
 
@@ -110,6 +111,7 @@ inline Part_drawing draw_part(const Part& part, const Placement& placement, doub
 The lines of `sheet`: its parts placed, their tabs grown by the fit, kerf-compensated, rounded to 1e-5 mm, and checked
 again for being simple after that.
 
+\param sheet which parts lie where
 \param parts the list that the sheet's placements refer to
 \param kerf full width of the cut in mm
 \param fit how much wider than its slot a tab is cut, in mm

@@ -24,9 +24,9 @@ struct Surface_appearance
   std::vector<std::array<Linear_colour, 3>> colours;        ///< by triangle
   std::vector<std::array<Texture_point, 3>> texture_points; ///< by triangle; empty if there is no texture
   std::vector<int> texture_of_triangle;                     ///< -1: colours only; empty if there is no texture
-  std::vector<Texture> textures;
+  std::vector<Texture> textures;                            ///< each a picture with its wrap modes
 
-  bool empty() const { return colours.empty(); }
+  bool empty() const { return colours.empty(); } ///< nothing but plain material?
   /// The texture of triangle `f`, or null.
   const Texture* texture(int f) const
   {

@@ -51,8 +51,8 @@ public:
     while (levels.back().width > 1 || levels.back().height > 1) levels.push_back(internal::halved(levels.back()));
   }
 
-  int width() const { return levels[0].width; }
-  int height() const { return levels[0].height; }
+  int width() const { return levels[0].width; }   ///< in texels
+  int height() const { return levels[0].height; } ///< in texels
 
   /// The mean light around (s, t), over about `footprint` texels in each direction (bilinear in the two nearest levels
   /// of the pyramid); exactly bilinear for a footprint of at most 1. Constant time.

@@ -14,6 +14,7 @@ namespace CGAL {
 namespace Multiplanar {
 
 /// \ingroup PkgMultiplanarParts
+/// What panels are cut back for. Lengths are in mm.
 struct Truncation_options
 {
   double thickness = 3; ///< of the sheet, in mm
@@ -27,7 +28,8 @@ struct Truncation_options
   std::vector<int> freed;
   double smallest = -1; ///< pieces of less area, in mm^2, are dropped; negative: thickness squared
 
-  double approach_length() const { return approach < 0 ? thickness + 1 : approach; }
+  double approach_length() const { return approach < 0 ? thickness + 1 : approach; } ///< `approach`, or its default
+  /// `smallest`, or its default.
   double smallest_area() const { return smallest < 0 ? thickness * thickness : smallest; }
 };
 
@@ -40,6 +42,7 @@ struct Truncated_panel
 };
 
 /// \ingroup PkgMultiplanarParts
+/// The panels of a complex, cut back so that they fit together.
 struct Truncation
 {
   std::vector<Truncated_panel> panels; ///< as the panels of the complex

@@ -20,12 +20,13 @@ namespace Multiplanar {
 /// A dense data cost, as `alpha_expansion()` takes it: node-major, `values[node * labels + label]`.
 struct Dense_data_cost
 {
-  std::vector<double> values;
-  int labels;
+  std::vector<double> values; ///< size: nodes times labels
+  int labels;                 ///< how many there are
 
+  /// The cost of a label at a node.
   double operator()(int node, int label) const { return values[std::size_t(node) * labels + label]; }
 };
-
+/// When `alpha_expansion()` ends, and what it counts as a gain.
 struct Alpha_expansion_options
 {
   /// Passes over all labels at most. Whatever it is, the labelling is valid and no worse than the initial one.
@@ -35,7 +36,7 @@ struct Alpha_expansion_options
   /// An expansion is accepted if the energy falls by more than this, relative to the new energy.
   double tolerance = 1e-10;
 };
-
+/// How `alpha_expansion()` ended.
 struct Alpha_expansion_result
 {
   double energy = 0;          ///< of the final labelling (eq. 1)
@@ -58,6 +59,10 @@ struct Alpha_expansion_result
 ///   +infinity for a label that a node must not take. Optional: `void block(int label, int first, int last, double*
 ///   out) const`, which writes the costs of `label` for nodes `first` .. `last` - 1 to `out`; it is then used wherever
 ///   all costs are needed.
+/// \param graph nodes, edges and their weights w_pq >= 0
+/// \param labels how many there are: 0 .. `labels` - 1
+/// \param cost the data costs D_p(f)
+/// \param options when to end
 /// \param labelling the initial label of each node, replaced by the final one. A labelling of an earlier run, or
 ///   `cheapest_labels()`, is a good start.
 /// \pre labels >= 1; each initial label is in 0 .. `labels` - 1 and has a finite cost.

@@ -33,6 +33,9 @@ namespace Multiplanar {
 /// \tparam VertexLabelCostMap a model of `ReadablePropertyMap`: vertex descriptor -> `std::vector<double>`, the cost of
 ///   each label, all vectors of the same size. It is read once for each vertex.
 /// \tparam VertexLabelMap a model of `ReadWritePropertyMap`: vertex descriptor -> an integer type
+/// \param input_graph the graph
+/// \param edge_cost_map what it costs if the ends of an edge have different labels
+/// \param vertex_label_cost_map what each label costs at a vertex
 /// \param vertex_label_map holds the initial labels and receives the final ones
 /// \param np optional named parameters:
 ///   - `vertex_index_map(map)`: vertex descriptor -> 0 .. num_vertices - 1; default: as everywhere in the BGL package

@@ -17,7 +17,7 @@ namespace Multiplanar {
 /// Parts, what joins them, and the order in which they go together.
 struct Assembled_parts
 {
-  Joined_parts joined;
+  Joined_parts joined;               ///< the parts and what joins them
   std::vector<Assembly_step> steps;  ///< empty if there is no order; then a warning says why
   std::vector<std::string> warnings; ///< of the parts and of the assembly
 };

@@ -16,6 +16,7 @@ namespace CGAL {
 namespace Multiplanar {
 
 /// \ingroup PkgMultiplanarAssembly
+/// The order in which parts go together, or what stands in its way.
 struct Assembly_order
 {
   std::vector<Assembly_step> steps; ///< empty if there is no order

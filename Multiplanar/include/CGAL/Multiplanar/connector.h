@@ -27,16 +27,18 @@ namespace Multiplanar {
 /// In multiples of the thickness.
 struct Connector_size
 {
-  double tab_width = 2.5;
+  double tab_width = 2.5; ///< of either tab
   double depth = 2; ///< of the body, at the narrowest place
 };
 
+/// The shape of a connector, in mm, in its own plane with the edge as origin: see the notation above.
 struct Connector_profile
 {
   Outline outline;                        ///< counter-clockwise
   std::array<std::array<int, 2>, 2> tabs; ///< outline vertices i .. j of the tab in the first and second panel
   std::vector<Outline> body;              ///< the outline without its tabs, as convex polygons
-  double slot_start = 0, slot_end = 0;    ///< the slot in either panel, in mm from the edge
+  double slot_start = 0;                  ///< where the slot in either panel begins, in mm from the edge
+  double slot_end = 0;                    ///< where it ends
 };
 
 /// Free material around a slot, in slot widths (that is, thicknesses); a hundredth of a mm more keeps rounding out.

@@ -18,6 +18,8 @@ namespace Multiplanar {
 
 Engraves every part's id where the part has most room, upright on its sheet if possible.
 
+\param parts the parts of the model, which get the engravings
+\param sheets where the parts lie
 \param smallest, largest height of capital letters in mm
 \return the ids of the parts too small for letters of `smallest` mm: they stay blank
 */

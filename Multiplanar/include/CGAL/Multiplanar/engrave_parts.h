@@ -20,6 +20,7 @@ namespace CGAL {
 namespace Multiplanar {
 
 /// \ingroup PkgMultiplanarSheets
+/// Sizes of the letters that `engrave_parts()` engraves, in mm.
 struct Engraving_options
 {
   double smallest = 1.3;           ///< height of the smallest legible capital letters, in mm
@@ -244,6 +245,7 @@ that it goes into. Every text keeps `clearance` from all cuts and from other tex
 smaller down to `smallest`, then text shorter. What does not fit, or only in part, is added to `Part::not_engraved`.
 
 \param model with parts on sheets; texts are added to its parts
+\param options sizes of the letters, and which way is up
 */
 inline void engrave_parts(Model& model, const Engraving_options& options = Engraving_options())
 {

@@ -18,11 +18,11 @@ namespace Multiplanar {
 
 /// The kernel of the outlines of parts: constructions are exact.
 using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using Exact_point_2 = Exact_kernel::Point_2;
-using Exact_loop = CGAL::Polygon_2<Exact_kernel>;
+using Exact_point_2 = Exact_kernel::Point_2;      ///< in the plane of a panel, in mm
+using Exact_loop = CGAL::Polygon_2<Exact_kernel>; ///< one boundary of a polygon
 /// The outer boundary counter-clockwise, holes clockwise.
 using Exact_polygon = CGAL::Polygon_with_holes_2<Exact_kernel>;
-using Exact_polygon_set = CGAL::Polygon_set_2<Exact_kernel>;
+using Exact_polygon_set = CGAL::Polygon_set_2<Exact_kernel>; ///< any number of polygons, with Boolean operations
 
 namespace internal {
 

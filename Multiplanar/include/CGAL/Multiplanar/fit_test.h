@@ -31,8 +31,9 @@ Three pieces to cut before a model, to find what its sheets depend on. They are 
 class Fit_test
 {
 public:
-  static constexpr int count = 7;
+  static constexpr int count = 7; ///< slots in a row
 
+  /// \param thickness, kerf, fit in mm, of the material as it is said to be
   Fit_test(double thickness, double kerf, double fit)
       : t(thickness), kerf(kerf), tab(2.5 * thickness), pitch((std::max)(tab + 2 * thickness, 12.0))
   {
@@ -42,7 +43,9 @@ public:
     }
   }
 
+  /// What stands below the slots of the lower row: by how many mm they are shorter than the tabs.
   const std::array<double, count>& slot_fits() const { return fits; }
+  /// What stands above the slots of the upper row: their widths in mm.
   const std::array<double, count>& slot_widths() const { return widths; }
 
   /// The pieces in their places on a sheet no larger than needed.

@@ -27,7 +27,7 @@ struct Flat_panels_options
   double work = 1;                ///< multiplies the work of the search
   double time_limit = 0;          ///< seconds after which the search stops, 0: none. If it strikes, results vary
   int threads = 0;                ///< 0: all that the machine has; the result does not depend on it
-  std::uint64_t seed = 0;
+  std::uint64_t seed = 0;         ///< of the random choices of the search
   double min_edge = 0.002;        ///< shortest edge aimed at, in diagonals of the bounding box
   double min_width = 0.002;       ///< smallest width of a panel, in diagonals
   double thickness = 0;           ///< of the sheets, in diagonals: edges should have room for joints; 0: they need not
@@ -50,7 +50,7 @@ struct Flat_panels_result
   double to_input = 0;            ///< from the panels to the source
   double hausdorff_error = 0;     ///< how far these may exceed what is attained
   double mean = 0;                ///< mean distance of the source from the panels
-  std::vector<std::string> notes;
+  std::vector<std::string> notes; ///< where accuracy was given up, a sentence each
 };
 
 /// Receives the part of the work done, 0..1; false stops the search (what was found so far is returned).

@@ -23,8 +23,8 @@ namespace Multiplanar {
 /// attained at `witness`.
 struct Directed_hausdorff
 {
-  double lower = 0, upper = 0;
-  Point_3 witness = Point_3(0, 0, 0);
+  double lower = 0 /**< attained at `witness` */, upper = 0 /**< never exceeded */;
+  Point_3 witness = Point_3(0, 0, 0); ///< a point of the first surface so far from the second
 };
 
 /// Both directed distances. The symmetric Hausdorff distance lies in [lower(), upper()].
@@ -33,8 +33,8 @@ struct Symmetric_hausdorff
   Directed_hausdorff to_second; ///< from points of the first surface to the second
   Directed_hausdorff to_first;  ///< from points of the second surface to the first
 
-  double lower() const { return (std::max)(to_second.lower, to_first.lower); }
-  double upper() const { return (std::max)(to_second.upper, to_first.upper); }
+  double lower() const { return (std::max)(to_second.lower, to_first.lower); } ///< a distance that is attained
+  double upper() const { return (std::max)(to_second.upper, to_first.upper); } ///< a distance that is never exceeded
 };
 
 namespace internal {
@@ -244,6 +244,8 @@ inline double bounding_box_diagonal(const std::vector<Vec3>& points)
 The largest distance of a point of the surface A from the surface B, with certified bounds (up to the rounding of
 doubles, about 1e-15 of the coordinates).
 
+\param points_a, triangles_a the surface A: points, and triples of their indices
+\param points_b, triangles_b the surface B
 \param error how far apart the bounds may be, in the units of the points; > 0
 
 The surfaces are triangles over points; they need not be closed, but must not be empty.

@@ -63,6 +63,7 @@ A hole narrower than the kerf has no path; an inlet narrower than the kerf turns
 
 \param outline counter-clockwise or clockwise
 \param holes of any orientation, inside the outline and disjoint
+\param kerf full width of the cut in mm, not negative
 \pre `outline` and `holes` are simple, 0 <= `kerf`
 */
 inline Cut_paths compensate_kerf(const Outline& outline, const std::vector<Outline>& holes, double kerf)

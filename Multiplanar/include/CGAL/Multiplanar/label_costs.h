@@ -53,8 +53,10 @@ class Plane_costs;
 class Label_costs
 {
 public:
+  /// \param connectivity of the mesh; a reference to it is kept
   /// \param points vertex positions, in coordinates in which the mesh has a bounding box of diagonal about 1
   /// \param saliency_weight w_t per face (see `saliency_weights()`), empty for 0 everywhere
+  /// \param weights w_n and w_V
   /// \pre `points` has a point for each vertex, `saliency_weight` is empty or has a value >= 0 for each face.
   /// A face of zero area has normal 0 and costs nothing. Linear time.
   Label_costs(const internal::Connectivity& connectivity, const Points& points, const Labelling_weights& weights = {},
@@ -74,11 +76,13 @@ public:
     fill_columns();
   }
 
-  int faces() const { return int(face_data.size()); }
-  double area(int face) const { return face_data[face].area; }
+  int faces() const { return int(face_data.size()); }          ///< how many there are
+  double area(int face) const { return face_data[face].area; } ///< in squared diagonals
+  /// Of unit length.
   Vector_3 normal(int face) const { return Vector_3(face_data[face].nx, face_data[face].ny, face_data[face].nz); }
+  /// In the unit frame.
   Point_3 centroid(int face) const { return Point_3(face_data[face].cx, face_data[face].cy, face_data[face].cz); }
-  const Labelling_weights& weights() const { return label_weights; }
+  const Labelling_weights& weights() const { return label_weights; } ///< w_n, w_V and the saliency weight
 
   /// How dense labels should be seeded at a face, relative to a face with w_t = 0: 4 / (4 + w_t), in (0, 1]. That is
   /// what a boundary between faces of equal normals costs without saliency weights, against what it costs with (eq. 4).
@@ -213,10 +217,12 @@ private:
 class Plane_costs
 {
 public:
+  /// Keeps a reference to `costs`.
   Plane_costs(const Label_costs& costs, std::vector<Plane> planes) : costs(&costs), planes(std::move(planes)) {}
 
-  int labels() const { return int(planes.size()); }
-  double operator()(int face, int label) const { return costs->data_cost(face, planes[label]); }
+  int labels() const { return int(planes.size()); }                                              ///< one a plane
+  double operator()(int face, int label) const { return costs->data_cost(face, planes[label]); } ///< D_p(f) of eq. 2
+  /// Writes the costs of a label for faces first .. last - 1.
   void block(int label, int first, int last, double* out) const { costs->data_costs(planes[label], first, last, out); }
 
 private:

@@ -11,6 +11,7 @@ namespace CGAL {
 namespace Multiplanar {
 
 namespace internal_np {
+#ifndef DOXYGEN_RUNNING
 #define CGAL_add_named_parameter(X, Y, Z)                                                                              \
   enum X                                                                                                               \
   {                                                                                                                    \
@@ -18,6 +19,7 @@ namespace internal_np {
   };
 #include <CGAL/Multiplanar/internal/parameters_interface.h>
 #undef CGAL_add_named_parameter
+#endif
 } // namespace internal_np
 
 /// CGAL's named parameters extended by this package's, chained in any order:
@@ -27,12 +29,13 @@ namespace internal_np {
 template <typename T, typename Tag, typename Base = CGAL::internal_np::No_property>
 struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 {
-  using parent = CGAL::Named_function_parameters<T, Tag, Base>;
-  using self = Named_parameters<T, Tag, Base>;
+  using parent = CGAL::Named_function_parameters<T, Tag, Base>; ///< what is extended
+  using self = Named_parameters<T, Tag, Base>;                  ///< this type
 
-  explicit Named_parameters(const T& v) : parent(v) {}
-  Named_parameters(const T& v, const Base& b) : parent(v, b) {}
+  explicit Named_parameters(const T& v) : parent(v) {}          ///< the first of a chain
+  Named_parameters(const T& v, const Base& b) : parent(v, b) {} ///< the next of a chain
 
+#ifndef DOXYGEN_RUNNING
 #define CGAL_add_named_parameter(X, Y, Z)                                                                              \
   template <typename K>                                                                                                \
   Named_parameters<K, internal_np::X, self> Z(const K& k) const                                                        \
@@ -41,7 +44,9 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   }
 #include <CGAL/Multiplanar/internal/parameters_interface.h>
 #undef CGAL_add_named_parameter
+#endif
 
+#ifndef DOXYGEN_RUNNING
 #define CGAL_add_named_parameter(X, Y, Z)                                                                              \
   template <typename K>                                                                                                \
   Named_parameters<K, CGAL::internal_np::X, self> Z(const K& k) const                                                  \
@@ -58,9 +63,11 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 #undef CGAL_add_named_parameter_with_compatibility_cref_only
 #undef CGAL_add_named_parameter_with_compatibility_ref_only
 #undef CGAL_add_extra_named_parameter_with_compatibility
+#endif
 };
 
 namespace parameters {
+#ifndef DOXYGEN_RUNNING
 #define CGAL_add_named_parameter(X, Y, Z)                                                                              \
   template <typename K>                                                                                                \
   Named_parameters<K, internal_np::X> Z(const K& k)                                                                    \
@@ -69,6 +76,7 @@ namespace parameters {
   }
 #include <CGAL/Multiplanar/internal/parameters_interface.h>
 #undef CGAL_add_named_parameter
+#endif
 } // namespace parameters
 
 } // namespace Multiplanar

@@ -26,7 +26,7 @@ enum class Panel_problem
   shared_ends,         ///< two edges with the same two corners: they would coincide
   repeated_corner      ///< two corners have three panels in common: three planes meet in one point
 };
-
+/// The problem as the end of a sentence that begins with the panel.
 inline const char* to_string(Panel_problem p)
 {
   switch (p) {
@@ -49,8 +49,8 @@ inline const char* to_string(Panel_problem p)
 /// A problem and the panel that has it.
 struct Panel_complex_problem
 {
-  Panel_problem problem;
-  int panel;
+  Panel_problem problem; ///< its kind
+  int panel;             ///< that has it
   int element; ///< the loop, corner or edge concerned, by kind of problem; -1 if none
 };
 

@@ -21,6 +21,7 @@ namespace Multiplanar {
 /// while it works: they are slow and obvious.
 struct Partition_problem
 {
+  /// What is wrong.
   enum Kind
   {
     bad_label,       ///< a label is out of range
@@ -31,10 +32,10 @@ struct Partition_problem
     chord,           ///< an edge inside a panel has both ends on one chain
     collinear_face   ///< all vertices of a face lie where its panel meets one other panel
   };
-  Kind kind;
+  Kind kind;   ///< which
   int panel;   ///< -1 if none
   int element; ///< a face (bad_label, collinear_face), a vertex (self_touch), a face at a chord, else -1
-  std::string text;
+  std::string text; ///< the same in words
 };
 
 namespace internal {

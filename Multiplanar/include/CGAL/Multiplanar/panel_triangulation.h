@@ -91,8 +91,8 @@ inline bool is_simple_panel(const Panel_complex& complex, int p)
 /// Triangles over the corners of a complex, and the panel that each belongs to.
 struct Panel_triangulation
 {
-  std::vector<std::array<int, 3>> triangles;
-  std::vector<int> panels;
+  std::vector<std::array<int, 3>> triangles; ///< over the corners of the complex, counter-clockwise from outside
+  std::vector<int> panels;                   ///< by triangle
 };
 
 /*!

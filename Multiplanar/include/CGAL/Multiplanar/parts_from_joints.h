@@ -25,7 +25,7 @@ struct Joined_parts
   std::vector<int> panel_of_part;            ///< by part: the panel, -1 for connectors
   std::vector<std::array<int, 2>> hosts;     ///< by part: the parts that a connector's tabs go through, -1 for panels
   std::vector<std::array<int, 2>> overhangs; ///< panels {first, later}: these must be placed in that order
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings;         ///< a sentence each
 };
 
 namespace internal {

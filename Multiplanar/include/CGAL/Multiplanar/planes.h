@@ -61,7 +61,10 @@ inline Plane plane_through_centroid(const Vector_3& normal, const Plane_sums& su
 /// Labels that come to lie on the same plane both keep it; see `first_coinciding()`.
 ///
 /// The mean normal does not minimise eq. 2, which sums absolute values, so the energy may rise a little here.
+/// \param costs areas, normals and centroids of the faces
+/// \param labelling the label of each face
 /// \param planes the planes of all labels, replaced by the estimates
+/// \param cancelling mean normals shorter than this are none
 /// \pre `labelling` has a label in 0 .. planes.size() - 1 for each face. Linear time.
 inline Plane_estimation estimate_planes(const Label_costs& costs, const std::vector<int>& labelling,
                                         std::vector<Plane>& planes, double cancelling = 1e-6)

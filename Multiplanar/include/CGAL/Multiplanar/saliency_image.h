@@ -35,6 +35,7 @@ The saliency of faces from an image painted in the space of the texture: white m
 the mean of the image over its triangle: of n^2 places evenly spread over it, with n the extent of the triangle in
 texels, between 2 and 32. A face without texture points (not finite) has saliency 0.
 
+\param image in the space of the texture, its first row at the top (t = 1)
 \param texture_points of the corners of every face
 \return by face, in 0..1
 \pre the image is not empty

@@ -53,6 +53,8 @@ inline int draw_index(const std::vector<double>& weights, std::mt19937_64& gener
 ///
 /// When no face costs anything any more - k is at least the number of faces, or the mesh has fewer than k different
 /// planes - faces are drawn as the first one was, so planes repeat. If all areas are zero, face 0 is drawn.
+/// \param costs areas, normals and centroids of the faces
+/// \param k how many faces are drawn
 /// \param seed the result depends on it and on the costs alone, bitwise
 /// \pre k >= 0; there is a face if k > 0. O(k F) time.
 inline std::vector<int> seed_faces(const Label_costs& costs, int k, std::uint64_t seed)

@@ -22,8 +22,9 @@ namespace Multiplanar {
 /// Where teeth lie, in mm from the edge.
 struct Tooth_strip
 {
-  double near, far;
-  double depth() const { return far - near; }
+  double near;                                ///< where they begin: beyond what both panels lose
+  double far;                                 ///< where the deepest gap ends
+  double depth() const { return far - near; } ///< of a tooth, in mm
 };
 
 /// \pre 0 < theta < pi, in radians

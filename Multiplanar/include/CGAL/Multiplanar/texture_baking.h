@@ -25,9 +25,11 @@ namespace Multiplanar {
 struct Texture_grid
 {
   Point_2 origin = Point_2(0, 0); ///< lower left corner of the image
-  double mm_per_pixel = 0;
-  int width = 0, height = 0;
+  double mm_per_pixel = 0;        ///< side of a pixel, in mm
+  int width = 0;                  ///< in pixels
+  int height = 0;                 ///< in pixels
 
+  /// The centre of pixel (i, j) in the plane of the part.
   Point_2 centre(int i, int j) const
   {
     return Point_2(origin.x() + (i + 0.5) * mm_per_pixel, origin.y() + (height - j - 0.5) * mm_per_pixel);
@@ -35,9 +37,10 @@ struct Texture_grid
 };
 
 /// \ingroup PkgMultiplanarTextures
+/// How fine the images of panels are, and how far they go beyond the panels.
 struct Baking_options
 {
-  double dpi = 150;
+  double dpi = 150; ///< dots per inch
   double bleed = 3; ///< mm beyond the outline of the panel that are still painted
 };
 
@@ -83,10 +86,13 @@ fall into a pixel, their mean light is taken: up to 8 x 8 places a pixel, each f
 (lengthwise and crosswise by the larger of the two singular values of pixels to texels). Beyond the outline, up to the
 bleed and a pixel more, a pixel shows the nearest point of the panel. All else is transparent.
 
+\param grid where the pixels lie: see `texture_grid()`
 \param faces of the mesh that the panel consists of
 \param triangles vertices by face
 \param points positions of the vertices in mm, flat in the plane of `frame`
 \param frame of the part; its first two coordinates are those of the image, seen from outside
+\param appearance colours and textures of the triangles
+\param options resolution and bleed, those that the grid was made with
 
 Linear in pixels and in source texels under the panel. Memory: 4 bytes a pixel, and at most 100 MB beside.
 */

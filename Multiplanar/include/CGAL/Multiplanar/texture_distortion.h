@@ -23,7 +23,8 @@ namespace Multiplanar {
 /// A value that half of the area stays below, and one that 95 % of it do.
 struct Quantiles
 {
-  double median = 1, p95 = 1;
+  double median = 1; ///< half of the area is below
+  double p95 = 1;    ///< 95 % of the area are below
 };
 
 /// \ingroup PkgMultiplanarTextures
@@ -80,6 +81,7 @@ inline Quantiles weighted_quantiles(std::vector<std::pair<double, double>>& valu
 
 Distortion over the area of the source.
 
+\param triangles triples of vertices, the same before and after
 \param source, target positions of the vertices before and after
 \param scale by which the target is larger as a whole: that is no distortion
 \pre `scale` > 0; as many source as target points

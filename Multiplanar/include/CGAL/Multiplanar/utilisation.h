@@ -21,8 +21,8 @@ struct Utilisation
   double used = 0;        ///< the same, with the last sheet cut off straight across `border` behind its last part
   double used_length = 0; ///< of the last sheet, along its longer side, in mm
 
-  double of_sheets() const { return sheets > 0 ? parts / sheets : 0; }
-  double of_used() const { return used > 0 ? parts / used : 0; }
+  double of_sheets() const { return sheets > 0 ? parts / sheets : 0; } ///< the share of all sheets, 0..1
+  double of_used() const { return used > 0 ? parts / used : 0; }       ///< the share of what is used, 0..1
 };
 
 /// \ingroup PkgMultiplanarSheets

@@ -7,6 +7,7 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Object.h>
+#include <CGAL/Search_traits_3.h>
 #include <CGAL/Multiplanar/internal/Connectivity.h>
 
 #include <algorithm>
@@ -47,7 +48,8 @@ struct Swept_primitive
 
 /// The part of CGAL's concept `AABBTraits` that box queries use; primitives and nodes answer by box. CGAL's own
 /// `AABB_traits` tests the datum itself, which here is not one triangle but all its states during a pass.
-struct Swept_aabb_traits
+/// The base has what CGAL 6 names for the tree's distance queries, which are not used.
+struct Swept_aabb_traits : CGAL::Search_traits_3<Kernel>
 {
   using Primitive = Swept_primitive;
   using Bounding_box = CGAL::Bbox_3;

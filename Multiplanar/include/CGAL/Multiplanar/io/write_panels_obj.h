@@ -32,6 +32,7 @@ Writes the panels as OBJ: the corners once each, and one polygon a panel, in a g
 counter-clockwise seen from outside. Holes are joined to the outline by bridges. Panels without an area are left out.
 The caller checks the state of `out` afterwards.
 
+\param out the stream
 \param complex in mm
 */
 inline void write_panels_obj(std::ostream& out, const Panel_complex& complex)

@@ -95,6 +95,8 @@ Writes the bill of materials: a line a part with its id, kind, the sides of the 
 nominal area in mm^2, the number of its sheet, the length of its cuts in mm, the parts it is joined to, and what is not
 engraved on it for want of room. Comma-separated, UTF-8, a header line first. The caller checks the state of `out`.
 
+\param out the stream
+\param model in mm
 \param drawings of the model's sheets
 */
 inline void write_parts_csv(std::ostream& out, const Model& model, const std::vector<Sheet_drawing>& drawings)

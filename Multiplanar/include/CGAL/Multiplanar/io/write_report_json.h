@@ -23,7 +23,9 @@ namespace Multiplanar {
 /// What a run read.
 struct Input_counts
 {
-  int vertices = 0, faces = 0, genus = 0;
+  int vertices = 0;    ///< of the mesh that was read
+  int faces = 0;       ///< triangles
+  int genus = 0;       ///< handles
   double diagonal = 0; ///< of the bounding box, in input units
 };
 
@@ -33,34 +35,36 @@ struct Accuracy
   double hausdorff = 0;           ///< symmetric
   double hausdorff_to_panels = 0; ///< from the input to the panels
   double hausdorff_to_input = 0;  ///< from the panels to the input
-  double mean_distance = 0;
-  double planarity_deviation = 0;
+  double mean_distance = 0;       ///< both ways
+  double planarity_deviation = 0; ///< largest distance of a vertex from its panel
   bool embedded = false; ///< checked exactly
-  int iterations = 0;
-  bool converged = false;
+  int iterations = 0;    ///< passes done
+  bool converged = false; ///< ended before the last pass because nothing changed
 };
 
 /// The images of the panels.
 struct Texture_counts
 {
-  int images = 0;
-  double dpi = 0, bleed = 0;                    ///< bleed in mm
+  int images = 0;                               ///< of panels
+  double dpi = 0;                               ///< dots per inch
+  double bleed = 0;                             ///< in mm
   std::optional<Texture_distortion> distortion; ///< none if the source's shape is not known
 };
 
 /// What a run did, apart from the model itself.
 struct Report
 {
-  std::map<std::string, std::string> versions;
-  std::string command;
+  std::map<std::string, std::string> versions; ///< by name of the program or library
+  std::string command;                         ///< make, approximate or fabricate
   Approximation_options options; ///< meaningful if there is an accuracy
-  Input_counts input;
+  Input_counts input;            ///< what was read
   std::optional<Accuracy> accuracy;                    ///< none if only parts were made
   std::optional<Texture_counts> textures;              ///< none if the input has no colours
   std::vector<std::pair<std::string, double>> seconds; ///< by stage, in order
   std::vector<Labelling_record> labellings;            ///< of the approximation, by restart and pass
-  double cut_length = 0, engraved_length = 0;          ///< of all sheets, in mm
-  std::vector<std::string> warnings;
+  double cut_length = 0;                               ///< of all sheets, in mm
+  double engraved_length = 0;                          ///< of all sheets, in mm
+  std::vector<std::string> warnings;                   ///< a sentence each
 };
 
 namespace internal {

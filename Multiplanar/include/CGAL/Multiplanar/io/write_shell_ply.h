@@ -82,6 +82,10 @@ Texture points, if there are any, are written as `float s, t` of the vertices wh
 has, they belong to the corners of faces: as `s0 t0 s1 t1 s2 t2`, numbers of the face that CGAL keeps as properties, and
 once more as the list `texcoord` that viewers know.
 
+\param out the stream, in binary mode
+\param points positions of the vertices
+\param triangles vertices of each face
+\param panel_of_face its panel, from 0
 \param comments lines for the header, printable ASCII without line breaks
 \param texture_points of the three corners of every triangle, or empty
 \pre one panel a triangle; triangles refer to `points`
