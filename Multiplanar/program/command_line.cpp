@@ -27,7 +27,7 @@ using CGAL::Multiplanar::Joint_mode;
 using CGAL::Multiplanar::Solver;
 
 /// Options and commands of the documented interface that cannot do their work yet.
-const std::vector<std::string> missing_options = {"--repair"};
+const std::vector<std::string> missing_options = {};
 const std::map<std::string, std::string> missing_commands = {
     {"compare", "compare with other methods (not available yet)"}};
 
@@ -55,7 +55,8 @@ void add_approximation_options(CLI::App& app, Settings& s, Raw_values& raw)
   app.add_option("--seed", raw.seed, "of all random choices (0)")->type_name("N");
   app.add_option("--restarts", a.restarts, "seeds tried; kept is the one whose panels are closest, both ways (1)")
       ->type_name("N");
-  app.add_option("--saliency", s.saliency_file, "where more panels are wanted: 0..1 a face, text or PLY, or a picture on the texture")
+  app.add_option("--saliency", s.saliency_file,
+                 "where more panels are wanted: 0..1 a face, text or PLY, or a picture on the texture")
       ->type_name("FILE");
   app.add_option("--saliency-weight", a.saliency_weight,
                  "W: where saliency is 1, panels come about 1 + W/4 times closer (1)")
@@ -251,6 +252,12 @@ std::optional<Settings> parse_command_line(int argc, char** argv)
   fabricate->add_option("--source", s.source, "the mesh that the PLY was made from: its colours go onto the panels")
       ->type_name("FILE")
       ->group("Cutting");
+  for (CLI::App* command : {make, approximate})
+    command
+        ->add_flag("--repair", s.repair,
+                   "mends the mesh first: welds, removes degenerate faces, orients, fills holes, keeps the largest "
+                   "component, resolves self-intersections, or else wraps it")
+        ->group("Shape");
   for (CLI::App* command : {make, fabricate})
     command->add_flag("--preview,!--no-preview", s.preview, "pictures of all in the folder preview (yes)")
         ->group("Run");
