@@ -64,7 +64,7 @@ void refuse_flat_triangles(const Triangulated_faces& faces, const Points& points
     const auto& t = faces.triangles[i];
     if (CGAL::collinear(points[t[0]], points[t[1]], points[t[2]]))
       throw input_error(file + ": face " + std::to_string(faces.face_of_triangle[i]) +
-                        " is degenerate: its vertices lie on a line: remove degenerate faces first");
+                        " is degenerate: its vertices lie on a line: --repair removes such faces");
   }
 }
 
@@ -91,9 +91,9 @@ void refuse_intersections(const Input_mesh& mesh)
 {
   const auto fault = CGAL::Multiplanar::internal::find_embedding_fault(mesh.connectivity, mesh.points);
   if (fault)
-    throw input_error(
-        mesh.file + ": self-intersecting: the faces " + std::to_string(mesh.face_of_triangle[fault->first]) + " and " +
-        std::to_string(mesh.face_of_triangle[fault->second]) + " intersect: resolve self-intersections first");
+    throw input_error(mesh.file + ": self-intersecting: the faces " +
+                      std::to_string(mesh.face_of_triangle[fault->first]) + " and " +
+                      std::to_string(mesh.face_of_triangle[fault->second]) + " intersect: --repair resolves it");
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include <fcntl.h>
 #include <stdio.h>
@@ -31,7 +32,7 @@ Failure cannot_write(const std::string& path, int error)
 bool is_ours(const std::string& name)
 {
   for (const char* ours : {"shell.ply", "panels.obj", "model.json", "report.json", "sheets", "fit-test.svg", "textures",
-                           "assembly.html", "assembly.pdf", "assembly.glb", "preview", "parts.csv"})
+                           "assembly.html", "assembly.pdf", "assembly.glb", "preview", "parts.csv", "repaired.ply"})
     if (name == ours) return true;
   return false;
 }
@@ -150,10 +151,38 @@ void Output::write(const std::string& name, const std::function<void(std::ostrea
   if (!out) throw cannot_write(shown, errno);
 }
 
+/// A file is small enough to be held until the output is complete: so it needs no name that a signal could leave
+/// behind.
+void Output::write_beside(const std::string& extension, const std::function<void(std::ostream&)>& write_to)
+{
+  const std::string stem = fs::path(target).stem().string();
+  beside = (fs::path(target).parent_path() / (stem + extension)).string();
+  std::ostringstream out(std::ios::binary);
+  write_to(out);
+  beside_content = out.str();
+}
+
+/// \pre the caller holds output_mutex()
+void Output::commit_beside()
+{
+  if (beside.empty()) return;
+  const std::string hidden = neighbour_of(beside);
+  errno = 0;
+  std::ofstream out(hidden, std::ios::binary | std::ios::trunc);
+  out << beside_content;
+  out.close();
+  if (out && ::rename(hidden.c_str(), beside.c_str()) == 0) return;
+  const int error = errno;
+  std::error_code ignored;
+  fs::remove(hidden, ignored);
+  throw cannot_write(beside, error);
+}
+
 void Output::commit()
 {
   refuse_strangers(); // somebody may have put something there since
   const std::lock_guard<std::mutex> lock(output_mutex());
+  commit_beside();
   const bool replaces_folder = kind == Kind::folder && fs::exists(target);
   if (replaces_folder) {
     // The two folders change names in one step; afterwards the temporary one is the old output.

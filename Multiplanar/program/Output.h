@@ -31,6 +31,9 @@ public:
   /// \throws Failure (exit_resource) if it cannot be written whole
   void write(const std::string& name, const std::function<void(std::ostream&)>& write_to);
 
+  /// A file beside the output, named like it but for its extension; it appears together with the output.
+  void write_beside(const std::string& extension, const std::function<void(std::ostream&)>& write_to);
+
   /// Puts the output in its place. \throws Failure
   void commit();
 
@@ -43,9 +46,11 @@ private:
   void make_temporary();
   void make_parents();
   void discard();
+  void commit_beside();
 
   Kind kind;
   std::string target, temporary;
+  std::string beside, beside_content;    ///< the file of write_beside(), or empty
   std::vector<std::string> made_parents; ///< innermost last
   bool committed = false;
 };

@@ -36,7 +36,8 @@ struct Settings
   CGAL::Multiplanar::Sheet_options sheet;
   CGAL::Multiplanar::Joint_mode joints = CGAL::Multiplanar::Joint_mode(); ///< automatic
   CGAL::Multiplanar::Palette palette;
-  bool preview = true;                                                    ///< pictures are written with the rest
+  bool repair = false; ///< mends the input before all else
+  bool preview = true; ///< pictures are written with the rest
   Progress::Style progress = Progress::Style::lines;
 };
 

@@ -26,9 +26,6 @@ using CGAL::Multiplanar::Effort;
 using CGAL::Multiplanar::Joint_mode;
 using CGAL::Multiplanar::Solver;
 
-/// Options of the documented interface that cannot do their work yet.
-const std::vector<std::string> missing_options = {"--repair"};
-
 /// Values that the parser holds as text until they are checked.
 struct Raw_values
 {
@@ -124,7 +121,6 @@ void add_run_options(CLI::App& app, Settings& s, Raw_values& raw)
   app.add_option("--threads", s.approximation.threads, "0: all that the machine has (0)")->type_name("N")->group("Run");
   app.add_flag("--quiet", raw.quiet, "print errors only")->group("Run");
   app.add_flag("--json-progress", raw.json_progress, "progress as a JSON object a line")->group("Run");
-  for (const std::string& name : missing_options) app.add_flag(name)->group("")->expected(0, 1);
 }
 
 std::string one_line(std::string text)
@@ -239,13 +235,6 @@ void copy_shared_values(Settings& s)
   s.model.seed = s.approximation.seed;
 }
 
-void refuse_missing(const CLI::App& command)
-{
-  for (const std::string& name : missing_options)
-    if (command.get_option_no_throw(name) != nullptr && command.count(name) > 0)
-      throw usage_error(name + " is not available yet: leave it out");
-}
-
 } // namespace
 
 std::optional<Settings> parse_command_line(int argc, char** argv)
@@ -284,6 +273,12 @@ std::optional<Settings> parse_command_line(int argc, char** argv)
   fabricate->add_option("--source", s.source, "the mesh that the PLY was made from: its colours go onto the panels")
       ->type_name("FILE")
       ->group("Cutting");
+  for (CLI::App* command : {make, approximate})
+    command
+        ->add_flag("--repair", s.repair,
+                   "mends the mesh first: welds, removes degenerate faces, orients, fills holes, keeps the largest "
+                   "component, resolves self-intersections, or else wraps it")
+        ->group("Shape");
   for (CLI::App* command : {make, fabricate})
     command->add_flag("--preview,!--no-preview", s.preview, "pictures of all in the folder preview (yes)")
         ->group("Run");
@@ -302,7 +297,6 @@ std::optional<Settings> parse_command_line(int argc, char** argv)
     throw usage_error(one_line(error.what()) + ": see multiplanar --help");
   }
   const CLI::App* command = app.get_subcommands().front();
-  refuse_missing(*command);
   s.command = command->get_name();
   read_sheet(raw.sheet, s);
   read_choices(raw, s);

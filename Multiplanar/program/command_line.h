@@ -9,7 +9,7 @@
 #include <optional>
 
 /// Reads the command line. Nothing if it asked for help or the version only: that is printed.
-/// \throws Failure: exit_usage for what cannot be understood or is not available yet, exit_input for absurd measures
+/// \throws Failure: exit_usage for what cannot be understood, exit_input for absurd measures
 std::optional<Settings> parse_command_line(int argc, char** argv);
 
 #endif // MULTIPLANAR_PROGRAM_COMMAND_LINE_H

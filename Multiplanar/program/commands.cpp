@@ -12,6 +12,7 @@
 #include "previews.h"
 #include "proof.h"
 #include "read_mesh.h"
+#include "repair.h"
 #include "run_approximation.h"
 #include "saliency.h"
 #include "smallest_measures.h"
@@ -91,6 +92,18 @@ public:
     return model;
   }
 
+  /// The mesh that --repair made of the input, if it had to do anything.
+  void write_repaired(Output& output, const Input_mesh& mesh)
+  {
+    if (!repaired) return;
+    const auto write = [&](std::ostream& out) {
+      write_shell_ply(out, mesh.points, mesh.connectivity.triangles, {},
+                      {"multiplanar " MULTIPLANAR_VERSION, "repaired"}, texture_points_of(mesh));
+    };
+    if (settings.command == "make") output.write("repaired.ply", write);
+    else output.write_beside(".repaired.ply", write);
+  }
+
   void write_shell(Output& output, const std::string& name, const Input_mesh& mesh, const Points& points,
                    const std::vector<int>& panel_of_face)
   {
@@ -158,7 +171,13 @@ private:
     progress.update("read", 0);
     Polygon_soup soup = read_mesh(file, face_properties);
     progress.update("read", 0.3);
+    std::vector<std::string> repairs;
+    if (settings.repair) {
+      soup = repair(std::move(soup), repairs);
+      repaired = !repairs.empty();
+    }
     Input_mesh mesh = make_input_mesh(std::move(soup), file);
+    mesh.notes.insert(mesh.notes.begin(), repairs.begin(), repairs.end());
     progress.finish();
     return mesh;
   }
@@ -171,6 +190,7 @@ private:
   const Settings& settings;
   Progress& progress;
   Report report;
+  bool repaired = false; ///< the input is not what the file holds
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 };
 
@@ -183,6 +203,7 @@ void make(const Settings& settings, Progress& progress)
   const Input_mesh mesh = run.read({});
   const Approximation_result result = run.approximate(mesh);
   Model model = run.make_parts(result.complex);
+  run.write_repaired(output, mesh);
   run.write_folder(output, model, mesh, result.points, result.panel_of_face);
   run.summarize(model, run.first_sheet());
 }
@@ -194,6 +215,7 @@ void approximate(const Settings& settings, Progress& progress)
   const Input_mesh mesh = run.read({});
   const Approximation_result result = run.approximate(mesh);
   run.write_shell(output, "", mesh, result.points, result.panel_of_face);
+  run.write_repaired(output, mesh);
   output.commit();
   Model model;
   model.complex = result.complex;

@@ -26,7 +26,7 @@ void refuse_repeated_vertices(const Polygon_soup& soup, const std::string& name)
     const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
     if (twice != sorted.end())
       throw input_error(name + ": face " + std::to_string(f) + " is degenerate: it uses vertex " +
-                        std::to_string(*twice) + " twice: remove degenerate faces first");
+                        std::to_string(*twice) + " twice: --repair removes such faces");
   }
 }
 
@@ -36,7 +36,7 @@ void refuse_crowded_edges(const Soup_edges& edges, const std::string& name)
     if (end - begin > 2)
       throw input_error(name + ": not manifold: the edge between the vertices " + std::to_string(begin->low) + " and " +
                         std::to_string(begin->high) + " has " + std::to_string(end - begin) +
-                        " faces: at most two may meet in an edge");
+                        " faces: at most two may meet in an edge: --repair cuts them apart");
   });
 }
 
@@ -64,9 +64,9 @@ void refuse_wrong_orientation(const Polygon_soup& soup, const Soup_edges& edges,
     const std::string faces = std::to_string(begin[0].face) + " and " + std::to_string(begin[1].face);
     if (!is_orientable(soup, edges))
       throw input_error(name + ": not orientable: inside and outside cannot be told apart (seen at faces " + faces +
-                        ")");
+                        "): --repair wraps it");
     throw input_error(name + ": not consistently oriented: the faces " + faces +
-                      " run the same way along their common edge: turn the faces to agree first");
+                      " run the same way along their common edge: --repair turns faces to agree");
   });
 }
 
@@ -82,7 +82,7 @@ void refuse_boundary(const Polygon_soup& soup, const Soup_edges& edges, const st
   if (on_boundary.empty()) return;
   const auto count = std::count_if(on_boundary.begin(), on_boundary.end(), [&](int v) { return loops.find(v) == v; });
   throw input_error(name + ": " + number(count, "boundary loop", "boundary loops") + " (first at vertex " +
-                    std::to_string(*on_boundary.begin()) + "): the mesh must be closed: fill its holes first");
+                    std::to_string(*on_boundary.begin()) + "): the mesh must be closed; --repair fills holes");
 }
 
 /// The corners of faces around a vertex hang together through shared edges, or the vertex joins several sheets.
@@ -100,7 +100,7 @@ void refuse_pinched_vertices(const Polygon_soup& soup, const Soup_edges& edges, 
     if (first < 0) first = corners.find(i);
     if (corners.find(i) != first)
       throw input_error(name + ": not manifold: several parts of the surface meet in vertex " +
-                        std::to_string(soup.indices[i]) + ": split it first");
+                        std::to_string(soup.indices[i]) + ": --repair splits it");
   }
 }
 
@@ -115,7 +115,7 @@ void refuse_components(const Polygon_soup& soup, const std::string& name)
     if (roots.insert(sets.find(soup.face(f)[0])).second && roots.size() == 2) second = f;
   if (roots.size() > 1)
     throw input_error(name + ": " + std::to_string(roots.size()) + " components (the second has face " +
-                      std::to_string(second) + "): give one connected surface at a time");
+                      std::to_string(second) + "): give one connected surface; --repair keeps the largest");
 }
 
 } // namespace

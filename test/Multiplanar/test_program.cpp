@@ -128,23 +128,6 @@ TEST_F(Program_test, wrong_usage_is_refused_with_one_line)
   }
 }
 
-TEST_F(Program_test, what_is_not_built_yet_is_refused_not_ignored)
-{
-  const std::string mesh = write("m.off", off_text(sphere()));
-  std::vector<std::vector<std::string>> missing;
-  const std::vector<std::vector<std::string>> options = {{"--repair"}};
-  for (const auto& option : options) {
-    missing.push_back({"make", mesh, "-o", path("out")});
-    missing.back().insert(missing.back().end(), option.begin(), option.end());
-  }
-  for (const auto& arguments : missing) {
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.code, 2) << ::testing::PrintToString(arguments);
-    EXPECT_EQ(outcome.error_lines(), 1);
-    EXPECT_NE(outcome.err.find("not available yet"), std::string::npos) << outcome.err;
-  }
-}
-
 TEST_F(Program_test, absurd_measures_are_refused)
 {
   const std::string mesh = write("m.off", off_text(sphere()));

@@ -88,13 +88,14 @@ once more as the list `texcoord` that viewers know.
 \param panel_of_face its panel, from 0
 \param comments lines for the header, printable ASCII without line breaks
 \param texture_points of the three corners of every triangle, or empty
-\pre one panel a triangle; triangles refer to `points`
+\param panel_of_face the panel of every triangle; empty for a mesh that has none
+\pre triangles refer to `points`
 */
 inline void write_shell_ply(std::ostream& out, const Points& points, const std::vector<std::array<int, 3>>& triangles,
                             const std::vector<int>& panel_of_face, const std::vector<std::string>& comments = {},
                             const std::vector<std::array<Texture_point, 3>>& texture_points = {})
 {
-  CGAL_precondition(panel_of_face.size() == triangles.size());
+  CGAL_precondition(panel_of_face.empty() || panel_of_face.size() == triangles.size());
   CGAL_precondition(texture_points.empty() || texture_points.size() == triangles.size());
   const std::vector<Texture_point> of_vertices =
       internal::vertex_texture_points(points.size(), triangles, texture_points);
@@ -103,7 +104,8 @@ inline void write_shell_ply(std::ostream& out, const Points& points, const std::
   for (const std::string& comment : comments) out << "comment " << comment << "\n";
   out << "element vertex " << points.size() << "\nproperty double x\nproperty double y\nproperty double z\n";
   if (!of_vertices.empty()) out << "property float s\nproperty float t\n";
-  out << "element face " << triangles.size() << "\nproperty list uchar int vertex_indices\nproperty int panel\n";
+  out << "element face " << triangles.size() << "\nproperty list uchar int vertex_indices\n";
+  if (!panel_of_face.empty()) out << "property int panel\n";
   if (at_corners) {
     for (int i = 0; i < 3; ++i) out << "property float s" << i << "\nproperty float t" << i << "\n";
     out << "property list uchar float texcoord\n";
@@ -117,7 +119,7 @@ inline void write_shell_ply(std::ostream& out, const Points& points, const std::
   for (std::size_t f = 0; f < triangles.size(); ++f) {
     bytes.put_byte(3);
     for (int v : triangles[f]) bytes.put(v);
-    bytes.put(panel_of_face[f]);
+    if (!panel_of_face.empty()) bytes.put(panel_of_face[f]);
     for (int time = 0; at_corners && time < 2; ++time) {
       if (time == 1) bytes.put_byte(6);
       for (const Texture_point& p : texture_points[f]) bytes.put(p[0]), bytes.put(p[1]);
