@@ -85,7 +85,6 @@ once more as the list `texcoord` that viewers know.
 \param out the stream, in binary mode
 \param points positions of the vertices
 \param triangles vertices of each face
-\param panel_of_face its panel, from 0
 \param comments lines for the header, printable ASCII without line breaks
 \param texture_points of the three corners of every triangle, or empty
 \param panel_of_face the panel of every triangle; empty for a mesh that has none
