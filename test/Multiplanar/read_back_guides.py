@@ -237,7 +237,7 @@ def validator(work):
     if not npm or not node:
         skip("no npm")
     if not os.path.isdir(os.path.join(work, "node_modules", "gltf-validator")):
-        got = subprocess.run([npm, "install", "--prefix", work, "--no-audit", "--no-fund", VALIDATOR],
+        got = subprocess.run([npm, "install", "--prefix", work, "--no-audit", "--no-fund", "--fetch-retries=1", VALIDATOR],
                              capture_output=True, text=True)
         if got.returncode != 0:
             skip("npm cannot fetch gltf-validator: " + got.stderr[-300:])

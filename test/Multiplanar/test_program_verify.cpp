@@ -149,7 +149,9 @@ TEST_F(Planted_faults, altered_path)
 
 TEST_F(Planted_faults, truncated_files)
 {
-  for (const std::string name : {"model.json", "sheets/sheet-1.svg", "shell.ply", "report.json"}) {
+  for (const std::string name :
+       {"model.json", "sheets/sheet-1.svg", "sheets/sheet-1.dxf", "sheets/sheet-1.pdf", "shell.ply", "panels.obj",
+        "report.json", "assembly.html", "assembly.pdf", "assembly.glb"}) {
     const std::string whole = content(path("house/" + name));
     write("house/" + name, whole.substr(0, whole.size() / 2));
     const Outcome proof = run({"verify", path("house")});
@@ -158,6 +160,19 @@ TEST_F(Planted_faults, truncated_files)
     write("house/" + name, whole);
   }
   EXPECT_EQ(run({"verify", path("house")}).code, 0);
+}
+
+TEST_F(Planted_faults, summary_names_what_was_checked)
+{
+  const Outcome good = run({"verify", path("house")});
+  EXPECT_NE(good.out.find("Digital assembly of house.ply in " + path("house") + "\n"), std::string::npos) << good.out;
+  EXPECT_NE(good.out.find("7 panels"), std::string::npos) << good.out;
+  const std::string end = "Everything that is claimed holds.\n";
+  EXPECT_EQ(good.out.rfind(end), good.out.size() - end.size()) << good.out;
+  change_model([](Json& m) { m["assembly"].erase(m["assembly"].size() - 1); });
+  const Outcome bad = run({"verify", path("house")});
+  EXPECT_NE(bad.out.find("  assembly   BROKEN"), std::string::npos) << bad.out;
+  EXPECT_NE(bad.out.rfind("Do not cut this: "), std::string::npos) << bad.out;
 }
 
 TEST_F(Program_test, make_verifies_what_it_hands_over)

@@ -74,8 +74,8 @@ TEST_P(Formulas, strips_at_an_edge)
 }
 
 INSTANTIATE_TEST_SUITE_P(Angles, Formulas,
-                         testing::Values(30., 45., 60., 89., 90., 91., 120., 150., 179., 200., 225., 250., 270., 271.,
-                                         285., 300., 315., 330.));
+                         testing::Values(30., 45., 60., 89., 90., 91., 120., 150., 179., 200., 225., 250., 270.,
+                                         270.0001, 271., 285., 300., 315., 330.));
 
 TEST(Truncation, narrower_panel_stays_whole)
 {

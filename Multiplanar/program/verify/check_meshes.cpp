@@ -161,7 +161,7 @@ private:
       const double polygon = polygon_area(model.panels[p]);
       if (off[p] > 1.01 * tolerance) say(name + " has faces " + verification::shown(off[p]) + " mm off its plane");
       else if (turned[p] > 0) say(name + " has " + counted(turned[p], "face") + " turned over");
-      else if (std::abs(area[p] - polygon) > 1e-6 * polygon)
+      else if (std::abs(area[p] - polygon) > 1e-6 * polygon + tolerance * perimeter(model.panels[p]))
         say(name + " has an area of " + verification::shown(area[p]) + " mm2, its polygon one of " +
             verification::shown(polygon));
     }
@@ -176,6 +176,15 @@ private:
                                      model.corners[loop[i + 1]] - model.corners[loop[0]]) *
                  panel.normal;
     return twice / 2;
+  }
+
+  double perimeter(const Written_panel& panel) const
+  {
+    double sum = 0;
+    for (const auto& loop : panel.loops)
+      for (std::size_t i = 0; i < loop.size(); ++i)
+        sum += length(model.corners[loop[(i + 1) % loop.size()]] - model.corners[loop[i]]);
+    return sum;
   }
 
   void check_corners()

@@ -238,6 +238,7 @@ Written_model read_model(const std::filesystem::path& file)
   if (top["unit"].text() != "mm") top["unit"].fail("should be \"mm\"");
 
   Written_model model;
+  if (top.has("input") && top["input"].has("file")) model.input_file = top["input"]["file"].text();
   if (top.has("input") && top["input"].has("scale")) model.scale = top["input"]["scale"].number();
   read_settings(top["settings"], model);
   const Value corners = top["corners"];

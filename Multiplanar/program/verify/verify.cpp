@@ -35,9 +35,12 @@ int verify(const std::filesystem::path& directory, std::ostream& out)
   using namespace verification;
   Report report(out);
   std::string name = directory.lexically_normal().generic_string();
+  if (name == "." || name == "./") name = std::filesystem::absolute(directory).lexically_normal().generic_string();
+  if (name.size() > 1 && name.back() == '/') name.pop_back();
   try {
     report.begin("model.json");
     const Written_model model = read_model(directory / "model.json");
+    if (!model.input_file.empty()) name = model.input_file + " in " + name;
     report.checked(counted(model.panels.size(), "panel") + ", " + counted(model.edges.size(), "edge") + ", " +
                    counted(model.parts.size(), "part") + ", " + counted(model.sheets.size(), "sheet") + ", " +
                    counted(model.assembly.size(), "step"));

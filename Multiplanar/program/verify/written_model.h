@@ -93,6 +93,7 @@ struct Written_step
 
 struct Written_model
 {
+  std::string input_file; ///< what the model was made from; may be empty
   double scale = 1, thickness = 0, kerf = 0, fit = 0;
   int most_panels = 0; ///< that were asked for; 0 if not said
   std::vector<Point_3> corners;

@@ -172,11 +172,15 @@ private:
     Exact_polygon_set freed = set;
     Slab_cuts::subtract(cuts, freed);
     const double before = area_of(set), after = area_of(freed);
-    if (after > before - 1e-6 * (1 + before)) return;
+    if (after > before - smallest_overhang) return;
     if (after < 0.75 * before && !(is_freed(p) && is_freed(q))) return blocked_by.push_back(q);
     overhung_by.push_back(q);
     set = freed;
   }
+
+  /// Less is rounding, in mm^2: a hundred-thousandth of a micrometre along a millimetre. What is more must go, for the
+  /// proof that a panel can be put on forgives no more.
+  static constexpr double smallest_overhang = 1e-8;
 
   static double area_of(const Exact_polygon_set& set)
   {

@@ -7,13 +7,15 @@
 #include <CGAL/Multiplanar/internal/Convex_body.h>
 #include <CGAL/Multiplanar/internal/convex_pieces.h>
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
 // Parts that fit touch each other, and rounded coordinates cannot touch without overlapping a little. So a part is
-// compared as a solid that is shrunk by `skin` (5 nanometres) where it ends, and stays whole where it was only cut into
-// convex pieces. Promise: the solid contains every point of the part farther than `erosion` (1 micrometre) from its
-// boundary. What is free for the one is free for the other, which is what `multiplanar verify` asks for.
+// compared as a solid that is shrunk by `skin` (5 nanometres, less at slender pieces) where it ends, and stays whole
+// where it was only cut into convex pieces. Promise: the solid contains every point of the part farther than `erosion`
+// (1 micrometre) from its boundary. What is free for the one is free for the other, which is what `multiplanar verify`
+// asks for.
 
 namespace CGAL {
 namespace Multiplanar {
@@ -51,10 +53,11 @@ inline Outline cut_to_left(const Outline& polygon, const Point_2& a, const Point
 }
 
 /// Sides of a convex piece of a part, of which some are the part's own (`is_own`) and some are cuts through it.
-/// May side `i` be moved by `skin` without taking off more than the erosion of the part does? Where the boundary turns
-/// into a cut by less than a hundredth, the strip along the side reaches too far along the cut.
-inline bool may_be_moved(const Outline& piece, const std::vector<bool>& is_own, std::size_t i)
+/// By how much, up to `skin`, may side `i` be moved without taking off more than the erosion of the part does? Where
+/// the boundary turns into a cut by a small angle, a strip along the side reaches far along the cut.
+inline double skin_of_side(const Outline& piece, const std::vector<bool>& is_own, std::size_t i)
 {
+  double result = skin;
   const std::size_t n = piece.size();
   const auto direction = [&](std::size_t k) {
     const auto d = piece[(k + 1) % n] - piece[k % n];
@@ -66,9 +69,11 @@ inline bool may_be_moved(const Outline& piece, const std::vector<bool>& is_own, 
       const auto d = direction(k);
       const double sine = std::abs(along.x() * d.y() - along.y() * d.x());
       if (sine * erosion > 2 * skin || along * d < 0) break;
-      if (!is_own[k]) return false;
+      if (is_own[k]) continue;
+      result = (std::min)(result, sine * erosion / 2);
+      break;
     }
-  return true;
+  return result;
 }
 
 inline Outline shrunk_piece(const Outline& piece, const std::set<std::pair<Point_2, Point_2>>& sides)
@@ -78,8 +83,8 @@ inline Outline shrunk_piece(const Outline& piece, const std::set<std::pair<Point
     is_own.push_back(sides.count({piece[i], piece[(i + 1) % piece.size()]}) > 0);
   Outline result = piece;
   for (std::size_t i = 0; i < piece.size() && !result.empty(); ++i)
-    if (is_own[i] && may_be_moved(piece, is_own, i))
-      result = cut_to_left(result, piece[i], piece[(i + 1) % piece.size()], skin);
+    if (is_own[i])
+      result = cut_to_left(result, piece[i], piece[(i + 1) % piece.size()], skin_of_side(piece, is_own, i));
   return result;
 }
 
