@@ -39,11 +39,11 @@ public:
   }
   Value operator[](std::size_t i) const { return Value(json[i], place + "[" + std::to_string(i) + "]"); }
 
-  double number() const
+  double number(double most = 1e9) const
   {
     if (!json.is_number()) fail("should be a number");
     const double x = json.get<double>();
-    if (!std::isfinite(x) || std::abs(x) > 1e9) fail("is out of range");
+    if (!std::isfinite(x) || std::abs(x) > most) fail("is out of range");
     return x;
   }
   int integer() const
@@ -239,7 +239,7 @@ Written_model read_model(const std::filesystem::path& file)
 
   Written_model model;
   if (top.has("input") && top["input"].has("file")) model.input_file = top["input"]["file"].text();
-  if (top.has("input") && top["input"].has("scale")) model.scale = top["input"]["scale"].number();
+  if (top.has("input") && top["input"].has("scale")) model.scale = top["input"]["scale"].number(1e40); // meshes may be tiny
   read_settings(top["settings"], model);
   const Value corners = top["corners"];
   for (std::size_t i = 0; i < corners.size(); ++i) model.corners.push_back(corners[i].point_3());
