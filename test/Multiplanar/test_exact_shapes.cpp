@@ -84,6 +84,19 @@ TEST(Exact_shapes, PanelWithAHole)
   expect_exact(m.mesh, m.panels, 11, 16, 24, 1);
 }
 
+TEST(GrowPartition, pieces_without_faces_are_no_seeds)
+{
+  // As many pieces as faces: random seeds coincide, and a piece whose seed another one has got is empty.
+  const Mesh mesh = cube(1);
+  const auto c = make_connectivity(mesh.triangles, int(mesh.points.size()));
+  const Input_surface in = make_input_surface(c, mesh.points);
+  for (std::uint64_t seed = 0; seed < 200; ++seed)
+    for (int k : {11, 12, 14}) {
+      const auto labels = grow_partition(in, face_moments(c, in.points), Face_cost(in, 0.05), k, seed, 1.3);
+      for (int label : labels) ASSERT_TRUE(label >= 0 && label < k) << seed;
+    }
+}
+
 TEST(Topology_tracer, SaysWhatTheComplexSays)
 {
   const std::uint64_t seed = 17;

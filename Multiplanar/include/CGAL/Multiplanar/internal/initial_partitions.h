@@ -33,6 +33,7 @@ inline std::vector<int> grow_partition(const Input_surface& in, const std::vecto
   // regions whose proxies weigh w^(3/2) end where the next ones begin if they are w times as dense.
   const auto weight = [](double importance) { return importance * std::sqrt(importance); };
   const auto add = [&](int face) {
+    CGAL_assertion(face >= 0 && face < faces);
     const auto& t = c.triangles[face];
     const Vec3 n = (in.points[t[1]] - in.points[t[0]]).cross(in.points[t[2]] - in.points[t[0]]).normalized();
     proxies.push_back({n, n.dot(in.points[t[0]]), weight(in.importance_of(face))});
@@ -73,7 +74,10 @@ inline std::vector<int> grow_partition(const Input_surface& in, const std::vecto
     }
     for (std::size_t i = 0; i < proxies.size(); ++i) order.push_back(int(i));
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return total[a] > total[b]; });
-    for (int i = 0; i < more; ++i) add(worst_face[order[i]]);
+    for (int i = 0; i < more; ++i) { // a piece whose seed was taken by another one has no faces
+      const int face = worst_face[order[i]];
+      add(face >= 0 ? face : draw());
+    }
     round();
     if (more > 1 || proxies.size() % 4 == 0) round();
   }
