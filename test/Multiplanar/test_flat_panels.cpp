@@ -78,3 +78,27 @@ TEST(Flat_panels, IsTheSameWithAnyNumberOfThreads)
   EXPECT_EQ(corners[0], corners[1]);
   EXPECT_EQ(corners[0], corners[2]);
 }
+
+// As with a mesh that cannot be mapped into panels: here panels of many faces are what the caller cannot use. A search
+// for close panels makes some that are larger; only merging from small ones with this in view keeps all below.
+TEST(Flat_panels, AreMergedFromSmallOnesWhereACallerCannotUseOthers)
+{
+  const Mesh mesh = bumpy_sphere(12, 0.2);
+  const auto c = make_connectivity(mesh.triangles, int(mesh.points.size()));
+  Flat_panels_options options;
+  options.max_panels = 30;
+  options.effort = Effort::fast;
+  const int most = 3 * c.number_of_faces() / (2 * options.max_panels);
+  const auto large_panels = [&](const Flat_panels_result& r) {
+    std::vector<int> large;
+    for (int p = 0; p < r.complex.number_of_panels(); ++p)
+      if (int(r.complex.panels[p].faces.size()) > most) large.push_back(p);
+    return large;
+  };
+  EXPECT_FALSE(large_panels(flat_panels(c, mesh.points, {}, options)).empty());
+  const auto r = flat_panels(c, mesh.points, {}, options, {}, large_panels);
+  expect_promises(c, mesh.points, r, 30);
+  EXPECT_TRUE(large_panels(r).empty());
+  ASSERT_FALSE(r.notes.empty());
+  EXPECT_NE(r.notes.back().find("merged from smaller ones"), std::string::npos) << r.notes.back();
+}

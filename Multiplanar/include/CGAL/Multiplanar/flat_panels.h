@@ -11,8 +11,11 @@
 #include <CGAL/Multiplanar/internal/panel_places.h>
 #include <CGAL/Multiplanar/panel_triangulation.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -36,21 +39,24 @@ struct Flat_panels_options
 
 struct Flat_panels_result;
 
-/// Tells which panels of a result the caller cannot use, worst first; none if all is well.
-using Flat_panels_obstacles = std::function<std::vector<int>(const Flat_panels_result&)>;
+/// Tells which panels of a result the caller cannot use, worst first; none if all is well. Asked of several results at
+/// once, in different threads. It may leave something with the result that it is asked of (`companion`).
+using Flat_panels_obstacles = std::function<std::vector<int>(Flat_panels_result&)>;
 
 /// Exactly flat panels near a model.
 struct Flat_panels_result
 {
-  bool ok = false;                ///< all promises hold: simple flat panels, closed, no intersections, at most k
-  Panel_complex complex;          ///< in the units of the source
-  std::vector<int> panel_of_face; ///< the labelling that `complex` has the combinatorics of
-  double hausdorff = 0;           ///< symmetric distance between the source and the panels: an upper bound, certified
-  double to_panels = 0;           ///< from the source to the panels
-  double to_input = 0;            ///< from the panels to the source
-  double hausdorff_error = 0;     ///< how far these may exceed what is attained
-  double mean = 0;                ///< mean distance of the source from the panels
-  std::vector<std::string> notes; ///< where accuracy was given up, a sentence each
+  bool ok = false;                 ///< all promises hold: simple flat panels, closed, no intersections, at most k
+  Panel_complex complex;           ///< in the units of the source
+  std::vector<int> panel_of_face;  ///< the labelling that `complex` has the combinatorics of
+  double hausdorff = 0;            ///< symmetric distance between the source and the panels: an upper bound, certified
+  double to_panels = 0;            ///< from the source to the panels
+  double to_input = 0;             ///< from the panels to the source
+  double hausdorff_error = 0;      ///< how far these may exceed what is attained
+  double mean = 0;                 ///< mean distance of the source from the panels
+  double obstacle_seconds = 0;     ///< until no obstacles were left
+  std::shared_ptr<void> companion; ///< what the caller's obstacles left with this result; nobody else looks at it
+  std::vector<std::string> notes;  ///< where accuracy was given up, a sentence each
 };
 
 /// Receives the part of the work done, 0..1; false stops the search (what was found so far is returned).
@@ -111,48 +117,90 @@ public:
   {
   }
 
-  /// The last question put to `obstacles` is about what `result` is in the end; it is not ok if that still has some.
+  /// `result` is not ok in the end if obstacles are left.
   void run(Panel_model& model, Flat_panels_result& result)
   {
     std::vector<int> blocked = result.ok ? obstacles(result) : std::vector<int>();
-    for (int round = 0; !blocked.empty(); ++round) {
+    const double cost = model.cost();
+    const bool changed = !blocked.empty();
+    for (int round = 0; !blocked.empty() && result.ok; ++round) {
       const std::string place = near_panel(result.complex, blocked[0]);
-      if (round == max_rounds || !improve(model, result, blocked)) {
-        result.ok = false;
-        return;
-      }
-      search.notes.push_back("the panel " + place + " was changed: the mesh could not be moved into it");
+      result.ok = round < max_rounds && improve(model, result, blocked);
+      if (result.ok) search.notes.push_back("the panel " + place + " was changed: the mesh could not be moved into it");
     }
+    if (changed && result.ok) regain(cost, model, result);
   }
 
-private:
-  /// Takes the best of the models around a blocked panel that have fewer blocked panels, or else fewer panels.
-  bool improve(Panel_model& model, Flat_panels_result& result, std::vector<int>& blocked)
+  /// The way for a mesh that cannot be moved into the panels of a model, nor into others like it: many panels, down to
+  /// about a triangle each, which are merged as long as it can. \return false if that does not lead to few panels
+  bool coarsen(Panel_model& model, Flat_panels_result& result)
   {
-    std::vector<Panel_model> models = search.reworked(model, blocked[0]);
-    int fewer_panels = -1;
-    for (int i = 0; i < int(models.size()) && i < max_trials; ++i) {
-      Flat_panels_result trial = result_of(c, source, in, models[i]);
-      if (!trial.ok) continue;
-      const std::vector<int> still = obstacles(trial);
-      if (still.size() < blocked.size()) return take(models[i], trial, still, model, result, blocked);
-      if (fewer_panels < 0 && models[i].panels() < model.panels()) fewer_panels = i;
-    }
-    if (fewer_panels < 0) return false;
-    Flat_panels_result trial = result_of(c, source, in, models[fewer_panels]);
-    return take(models[fewer_panels], trial, obstacles(trial), model, result, blocked);
-  }
-
-  static bool take(Panel_model& next, Flat_panels_result& next_result, const std::vector<int>& still,
-                   Panel_model& model, Flat_panels_result& result, std::vector<int>& blocked)
-  {
-    model = std::move(next);
-    result = std::move(next_result);
-    blocked = still;
+    Panel_model coarse;
+    const auto accepted = [&](const Panel_model& m) {
+      Trial trial;
+      attempt(m, trial);
+      return trial.result.ok && trial.blocked.empty();
+    };
+    if (!search.coarsened(accepted, coarse)) return false;
+    Trial trial;
+    attempt(coarse, trial);
+    model = std::move(coarse);
+    result = std::move(trial.result);
+    regain(0, model, result);
+    search.notes.push_back("the mesh could not be moved into panels that follow it best: others were merged from "
+                           "smaller ones, one by one");
     return true;
   }
 
-  static constexpr int max_rounds = 16, max_trials = 12;
+private:
+  struct Trial
+  {
+    Flat_panels_result result;
+    std::vector<int> blocked;
+  };
+
+  /// Takes the first of the models around a blocked panel that has fewer blocked panels, or else fewer panels. They are
+  /// tried on several threads and judged in order, so the result does not depend on the number of threads.
+  bool improve(Panel_model& model, Flat_panels_result& result, std::vector<int>& blocked)
+  {
+    std::vector<Panel_model> models = search.reworked(model, blocked[0]);
+    if (int(models.size()) > max_trials) models.resize(max_trials);
+    std::vector<Trial> trials(models.size());
+    int chosen = -1;
+    for (int begin = 0; begin < int(models.size()) && chosen < 0; begin += search.number_of_threads()) {
+      const int end = (std::min)(begin + search.number_of_threads(), int(models.size()));
+      for_each_parallel(end - begin, end - begin, [&](int i) { attempt(models[begin + i], trials[begin + i]); });
+      for (int i = begin; i < end && chosen < 0; ++i)
+        if (trials[i].result.ok && trials[i].blocked.size() < blocked.size()) chosen = i;
+    }
+    for (int i = 0; i < int(models.size()) && chosen < 0; ++i)
+      if (trials[i].result.ok && models[i].panels() < model.panels()) chosen = i;
+    if (chosen < 0) return false;
+    model = std::move(models[chosen]);
+    result = std::move(trials[chosen].result);
+    blocked = std::move(trials[chosen].blocked);
+    return true;
+  }
+
+  /// Improves `model` until it costs about as much as before it was changed; what brings obstacles back does not count.
+  void regain(double cost, Panel_model& model, Flat_panels_result& result)
+  {
+    Panel_model next = model;
+    for (int failures = 0; failures < max_failures && model.cost() > 1.02 * cost && search.improve_once(next);) {
+      Trial trial;
+      attempt(next, trial);
+      if (trial.result.ok && trial.blocked.empty()) model = next, result = std::move(trial.result), failures = 0;
+      else ++failures;
+    }
+  }
+
+  void attempt(const Panel_model& model, Trial& trial) const
+  {
+    trial.result = result_of(c, source, in, model);
+    if (trial.result.ok) trial.blocked = obstacles(trial.result);
+  }
+
+  static constexpr int max_rounds = 16, max_trials = 12, max_failures = 4;
 
   const Connectivity& c;
   const Points& source;
@@ -204,7 +252,13 @@ inline Flat_panels_result flat_panels(const internal::Connectivity& c, const Poi
     return result;
   }
   result = internal::result_of(c, source, input, model);
-  if (obstacles) internal::Panel_rework(c, source, input, search, obstacles).run(model, result);
+  if (obstacles) {
+    const auto start = std::chrono::steady_clock::now();
+    internal::Panel_rework rework(c, source, input, search, obstacles);
+    rework.run(model, result);
+    if (!result.ok) rework.coarsen(model, result);
+    result.obstacle_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
   if (model.offences > 0) search.notes.push_back(internal::note_of_offences(input, search, model, result.complex));
   if (result.ok) internal::measure_panels(c, source, input.scale, result);
   result.notes = search.notes;

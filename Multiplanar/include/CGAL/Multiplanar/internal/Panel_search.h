@@ -52,7 +52,7 @@ inline Search_budget search_budget(Effort effort)
   case Effort::fast:
     return {2, 0, 0, 0.};
   case Effort::normal:
-    return {8, 4, 6, 2.5e6};
+    return {8, 4, 6, 1.5e6};
   case Effort::best:
     return {24, 8, 1 << 20, 6e6};
   }
@@ -94,6 +94,7 @@ public:
   }
 
   const Panel_modeller& modelled() const { return modeller; }
+  int number_of_threads() const { return threads; }
 
   /// Models with panel `p` of a result of `run` or its surroundings changed: to choose from where `p` is of no use.
   std::vector<Panel_model> reworked(const Panel_model& m, int p)
@@ -104,6 +105,33 @@ public:
     const Label_costs costs = label_costs();
     for_each_parallel(int(models.size()), threads, [&](int i) { mend(costs, models[i], nullptr); });
     return models;
+  }
+
+  /// Makes the best change near the worst places of a result of `run`. \return false if none lowers the cost
+  bool improve_once(Panel_model& m)
+  {
+    Teleport_search t(modeller, options.max_panels, threads);
+    t.local_options = local_accuracy();
+    if (!t.improve_once(m)) return false;
+    mend(label_costs(), m, nullptr);
+    return true;
+  }
+
+  /// An accepted model from many small panels, merged one by one; then improved as far as it stays accepted.
+  /// \return false if there is none
+  bool coarsened(const Model_test& accepted, Panel_model& m)
+  {
+    const Label_costs costs = label_costs();
+    const Panel_coarsening coarsening(modeller, costs, frame_points, accuracy(), options.seed, accepted);
+    if (!coarsening.run(options.max_panels, m)) return false;
+    for (int power : accuracy().powers) {
+      Panel_model improved = m;
+      Accuracy_options a = accuracy();
+      a.powers = {power};
+      modeller.improve_all(improved, a);
+      if (improved.faults == 0 && accepted(improved)) m = std::move(improved);
+    }
+    return true;
   }
 
 private:

@@ -73,10 +73,12 @@ public:
   const std::vector<Triangle>& triangles() const { return triangles_; }
   int panel_of(int triangle) const { return panel_of_[triangle]; }
 
-  /// The point of the panels closest to `q`, panel `likely` tried first; as near as `enough` will do.
+  /// The point of the panels closest to `q`, panel `likely` tried first (some triangles of it: the tree is faster than
+  /// all those of a panel with many corners); as near as `enough` will do.
   Triangle_tree::Closest closest(const Vec3& q, int likely, double enough = 0) const
   {
-    return tree_.closest(q, first_triangle_[likely], first_triangle_[likely + 1], enough);
+    const int first = first_triangle_[likely], last = (std::min)(first + 8, first_triangle_[likely + 1]);
+    return tree_.closest(q, first, last, enough);
   }
   const Triangle_tree& tree() const { return tree_; }
   bool is_simple(int p) const { return simple_[p]; }

@@ -11,25 +11,33 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
+#include <utility>
 #include <vector>
 
-// Thin and folded models have no flat panels near a partition into few pieces: polygons turn over and cut each other. Many
-// small panels are easily made flat, down to one per triangle, and from there neighbours are merged, cheapest first, each
-// merger only if the polygons stay simple and apart. It is slower than starting with few panels, and rarely fails.
+// Thin and folded models have no flat panels near a partition into few pieces: polygons turn over and cut each other.
+// Many small panels are easily made flat, down to one per triangle, and from there neighbours are merged, cheapest
+// first, each merger only if the polygons stay simple and apart, and the caller accepts them. It is slower than
+// starting with few panels, and rarely fails.
 
 namespace CGAL {
 namespace Multiplanar {
 namespace internal {
 
+/// Whether a caller can use a model; an empty one: every model without faults.
+using Model_test = std::function<bool(const Panel_model&)>;
+
 class Panel_coarsening
 {
 public:
   Panel_coarsening(const Panel_modeller& modeller, const Label_costs& costs, const Points& points,
-                   const Accuracy_options& accuracy, std::uint64_t seed)
-      : modeller(modeller), c(modeller.connectivity()), costs(costs), points(points), accuracy(accuracy), seed(seed)
-  {}
+                   const Accuracy_options& accuracy, std::uint64_t seed, Model_test accepted = {})
+      : modeller(modeller), c(modeller.connectivity()), costs(costs), points(points), accuracy(accuracy), seed(seed),
+        accepted(std::move(accepted))
+  {
+  }
 
-  /// A model without faults of at most `k` panels. \return false if none was found
+  /// A model without faults of at most `k` panels, an accepted one. \return false if none was found
   bool run(int k, Panel_model& m) const
   {
     for (int pieces = 4 * k; pieces <= c.number_of_faces() && pieces <= 32 * k; pieces *= 2)
@@ -42,8 +50,7 @@ private:
   bool start(int pieces, Panel_model& m) const
   {
     Face_cost cost(modeller.input(), 0.02);
-    std::vector<int> labels =
-        grow_partition(modeller.input(), modeller.moments_of_faces(), cost, pieces, seed, 1.5);
+    std::vector<int> labels = grow_partition(modeller.input(), modeller.moments_of_faces(), cost, pieces, seed, 1.5);
     Panel_partition_options partition;
     partition.max_panels = pieces;
     const auto report = make_panels(c, points, costs, labels, partition);
@@ -53,7 +60,7 @@ private:
     repairs.local_options = accuracy;
     for (int i = 0; i < pieces / 4 && m.faults > 0; ++i)
       if (!repairs.repair_once(m)) return false;
-    return m.faults == 0;
+    return is_usable(m);
   }
 
   /// Merges neighbours until there are at most `k` panels.
@@ -67,11 +74,15 @@ private:
         Accuracy_options few = accuracy;
         few.powers = {4};
         few.steps = 3;
-        modeller.improve_all(m, few);
+        Panel_model improved = m;
+        modeller.improve_all(improved, few);
+        if (is_usable(improved)) m = std::move(improved);
       }
     }
     return m.faults == 0;
   }
+
+  bool is_usable(const Panel_model& m) const { return m.faults == 0 && (!accepted || accepted(m)); }
 
   bool merge_cheapest_pair(const Teleport_search& search, Panel_model& m) const
   {
@@ -81,7 +92,7 @@ private:
       clip_ears(c, edit.labels);
       Panel_model merged;
       std::vector<char> touched;
-      if (!modeller.rebuild(&m, edit, merged, touched) || merged.faults > 0) continue;
+      if (!modeller.rebuild(&m, edit, merged, touched) || !is_usable(merged)) continue;
       m = std::move(merged);
       return true;
     }
@@ -94,6 +105,7 @@ private:
   const Points& points;
   Accuracy_options accuracy;
   std::uint64_t seed;
+  Model_test accepted;
 };
 
 } // namespace internal

@@ -56,11 +56,19 @@ inline std::vector<int> panels_around(const Connectivity& c, const std::vector<i
   return panels;
 }
 
-/// Moves the mesh from the source to where `mapping` puts it in the polygons of `flat`.
-inline Finished_surface move_to_panels(const Connectivity& c, const Points& source, const Panel_mapping& mapping,
-                                       Flat_panels_result flat, Stopwatch& clock)
+/// The mesh mapped into the polygons of a result of `flat_panels_or_fewer()`.
+inline const Panel_mapping& mapping_of(const Flat_panels_result& flat)
+{
+  CGAL_precondition(flat.companion != nullptr);
+  return *static_cast<const Panel_mapping*>(flat.companion.get());
+}
+
+/// Moves the mesh from the source to where `flat` has it mapped.
+inline Finished_surface move_to_panels(const Connectivity& c, const Points& source, Flat_panels_result flat,
+                                       Stopwatch& clock)
 {
   Finished_surface done;
+  const Panel_mapping& mapping = mapping_of(flat);
   flat.panel_of_face = mapping.labels();
   flat.complex = mapping.complex();
   done.points = source;
@@ -109,21 +117,21 @@ inline bool merge_panel(const Connectivity& c, const Points& source, const Label
 }
 
 /// Polygons from the partitions, or from coarser ones if those cannot be made flat.
-/// \param mapping receives the mesh mapped into them
+/// \return a result with the mesh mapped into the polygons as its companion (`mapping_of()`)
 inline Flat_panels_result flat_panels_or_fewer(const Connectivity& c, const Points& source, const Label_costs& costs,
                                                const std::vector<std::vector<int>>& partitions,
                                                Flat_panels_options options, int fewest, Approximation_visitor& visitor,
-                                               std::vector<std::string>& notes, Stopwatch& clock,
-                                               std::unique_ptr<Panel_mapping>& mapping)
+                                               std::vector<std::string>& notes, double& mapping_seconds)
 {
   const auto progress = [&](double done) { return visitor.progress("flat panels", done); };
-  const auto obstacles = [&](const Flat_panels_result& candidate) {
-    const Stopwatch::Lap lap(clock, "mapping, part of flat panels");
-    mapping.reset(new Panel_mapping(c, source, candidate.panel_of_face, candidate.complex));
+  const auto obstacles = [&](Flat_panels_result& candidate) {
+    const auto mapping = std::make_shared<Panel_mapping>(c, source, candidate.panel_of_face, candidate.complex);
     mapping->repair();
+    candidate.companion = mapping;
     return mapping->failed();
   };
   Flat_panels_result flat = flat_panels(c, source, partitions, options, progress, obstacles);
+  mapping_seconds += flat.obstacle_seconds;
   options.effort = Effort::fast;
   for (int k = options.max_panels; !flat.ok && k > fewest;) {
     k = (std::max)(fewest, k - (std::max)(1, k / 10));
@@ -136,6 +144,7 @@ inline Flat_panels_result flat_panels_or_fewer(const Connectivity& c, const Poin
     for (std::vector<int> labels : partitions)
       if (make_panels(c, source, costs, labels, coarser).ok) fewer.push_back(labels);
     flat = flat_panels(c, source, fewer, options, progress, obstacles);
+    mapping_seconds += flat.obstacle_seconds;
   }
   if (!flat.ok) throw std::runtime_error("no flat panels were found for this model");
   return flat;
@@ -163,13 +172,13 @@ inline void finish(const Connectivity& c, const Points& source, const std::vecto
     flat_options.importance.push_back(costs.seed_density(f));
 
   Flat_panels_result flat;
-  std::unique_ptr<Panel_mapping> mapping;
+  double mapping_seconds = 0;
   {
     const Stopwatch::Lap lap(clock, "flat panels");
     flat = flat_panels_or_fewer(c, source, costs, partitions, flat_options, fewest_panels(c.genus()), visitor,
-                                result.notes, clock, mapping);
+                                result.notes, mapping_seconds);
   }
-  Finished_surface done = move_to_panels(c, source, *mapping, flat, clock);
+  Finished_surface done = move_to_panels(c, source, flat, clock);
   flat_options.effort = Effort::fast;
   for (int merges = 0; !done.blocked.empty(); ++merges) {
     std::vector<int> labels = done.flat.panel_of_face;
@@ -184,14 +193,15 @@ inline void finish(const Connectivity& c, const Points& source, const std::vecto
     const Stopwatch::Lap lap(clock, "flat panels");
     flat_options.max_panels = done.flat.complex.number_of_panels() - 1;
     flat = flat_panels_or_fewer(c, source, costs, {labels}, flat_options, fewest_panels(c.genus()), visitor,
-                                result.notes, clock, mapping);
-    done = move_to_panels(c, source, *mapping, flat, clock);
+                                result.notes, mapping_seconds);
+    done = move_to_panels(c, source, flat, clock);
   }
   result.points = std::move(done.points);
   result.panel_of_face = std::move(done.flat.panel_of_face);
   result.complex = std::move(done.flat.complex);
   result.notes.insert(result.notes.end(), done.flat.notes.begin(), done.flat.notes.end());
   for (const auto& stage : clock.seconds()) result.seconds[stage.first] += stage.second;
+  result.seconds["mapping, part of flat panels"] += mapping_seconds;
 }
 
 } // namespace internal
