@@ -3,14 +3,18 @@
 
 #include "program_runner.h"
 
+#include <nlohmann/json.hpp>
+
 #include <map>
 #include <random>
+#include <utility>
 
 // The robustness suite on meshes made to be hard: each keeps all promises, as exact predicates on the written files see
 // it, or is refused with the right message. And the suite itself: for every promise, a result that breaks it is
 // noticed.
 
 using namespace Multiplanar_test;
+using nlohmann::json;
 
 namespace {
 
@@ -22,6 +26,9 @@ enum Code
   not_closed = 11,
   not_embedded = 12,
   k_exceeded = 14,
+  parts_overlap = 15,
+  outside = 16,
+  other_parts = 17,
   unreadable = 18,
   wrong_refusal = 19,
   left_behind = 20,
@@ -249,6 +256,55 @@ TEST_F(Program_robustness, the_suite_notices_what_is_broken)
   open.replace(open.find("element face 48"), 15, "element face 47");
   write("out/shell.ply", open);
   EXPECT_EQ(suite(mesh, written), not_closed);
+}
+
+TEST_F(Program_robustness, the_suite_notices_parts_that_break_a_promise)
+{
+  const std::string mesh = write("m.off", off_text(cube(2))), model = "out/model.json";
+  ASSERT_EQ(run({"make", mesh, "-o", path("out"), "-k", "6", "--effort", "fast", "--quiet"}).code, 0);
+  const std::vector<std::string> written = {"--written", path("out"), "-k", "6"};
+  const auto text = json::parse(content(path(model)));
+  const auto seen = [&](const json& changed) {
+    write(model, changed.dump());
+    const int code = suite(mesh, written);
+    const std::string said = content(path("said")); // every broken promise on a line, the first one is the code
+    EXPECT_NE(said.find("violation: "), std::string::npos) << said;
+    return std::make_pair(code, said);
+  };
+
+  json thick = text; // sheets of twice the thickness
+  thick["settings"]["thickness"] = 2 * double(text["settings"]["thickness"]);
+  EXPECT_EQ(seen(thick).first, parts_overlap);
+
+  json missing = text;
+  missing["parts"].erase(0);
+  EXPECT_EQ(seen(missing).first, other_parts);
+
+  // A part larger than its panel; what else it breaks may come first.
+  json swollen = text;
+  for (auto& p : swollen["parts"][0]["outline"])
+    for (auto& x : p) x = 1.01 * double(x);
+  const auto found = seen(swollen);
+  EXPECT_NE(found.second.find(": outside: violation: part P01 leaves the model through panel"), std::string::npos)
+      << found.second;
+}
+
+TEST_F(Program_robustness, the_first_promise_broken_by_the_parts_is_the_exit_code)
+{
+  const std::string mesh = write("m.off", off_text(cube(2)));
+  const std::string real = "[ \"$1\" = make ] && exec \"" MULTIPLANAR_PROGRAM "\" \"$@\"; ";
+  const auto verify_says = [&](const std::string& line, int code) {
+    return suite(mesh, {"-k", "6", "--program", impostor(real + "echo '" + line + "'; exit " + std::to_string(code))});
+  };
+  EXPECT_EQ(verify_says("violation: parts P01 and P02 overlap near (0, 0, 0), 3 mm deep", 1), parts_overlap);
+  EXPECT_EQ(verify_says("violation: part P01 leaves the model through panel P02 near (0, 0, 0), 3 mm deep", 1),
+            outside);
+  EXPECT_EQ(verify_says("violation: part P01 lies outside the model at (9, 9, 9)", 1), outside);
+  EXPECT_EQ(verify_says("violation: part P01 faces inward", 1), other_parts);
+  EXPECT_EQ(verify_says("unreadable: model.json: cannot be opened", 3), unreadable);
+  EXPECT_EQ(verify_says("all is well", 1), other_parts);                      // the exit code tells otherwise
+  EXPECT_EQ(verify_says("violation: part P01 faces inward", 0), other_parts); // and here, the words
+  EXPECT_EQ(verify_says("all is well", 0), kept);
 }
 
 TEST_F(Program_robustness, the_suite_notices_crashes_limits_and_wrong_words)

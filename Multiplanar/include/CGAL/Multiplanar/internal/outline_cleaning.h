@@ -38,12 +38,20 @@ inline double thickness_of_triangle(const Point_2& a, const Point_2& b, const Po
   return longest > 0 ? doubled_area / longest : 0;
 }
 
+/// Is b the end of a notch that is longer than `length`, between sides that turn back at b?
+inline bool ends_a_slit(const Point_2& a, const Point_2& b, const Point_2& c, double length)
+{
+  return (a - b) * (c - b) > 0 && CGAL::squared_distance(a, b) > length * length &&
+         CGAL::squared_distance(b, c) > length * length;
+}
+
 /// May vertex b, between a and c, be taken out? Where the loop turns left (material lies on its left), that removes the
-/// triangle abc; elsewhere it adds it.
+/// triangle abc; elsewhere it adds it. A slit stays, however narrow: walls of the model stand on both sides of it.
 inline bool is_dispensable(const Point_2& a, const Point_2& b, const Point_2& c, const Cleaning_tolerance& tolerance)
 {
   const double thickness = thickness_of_triangle(a, b, c);
-  if (CGAL::orientation(a, b, c) != CGAL::LEFT_TURN) return thickness <= tolerance.added;
+  if (CGAL::orientation(a, b, c) != CGAL::LEFT_TURN)
+    return thickness <= tolerance.added && !ends_a_slit(a, b, c, tolerance.short_side);
   const double shorter = std::sqrt((std::min)(CGAL::squared_distance(a, b), CGAL::squared_distance(b, c)));
   return thickness <= (shorter < tolerance.short_side ? tolerance.short_side : tolerance.removed);
 }
