@@ -8,6 +8,8 @@
 #include <CGAL/Multiplanar/internal/Flat_polygon.h>
 #include <CGAL/Multiplanar/internal/thin_webs.h>
 
+#include <CGAL/Polygon_2_algorithms.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -27,6 +29,7 @@ struct Cleaning_tolerance
   double removed = 1e-3;    ///< the thickness of slivers that may be taken off
   double added = 1e-6;      ///< and of those that may be added
   double short_side = 0.02; ///< at sides shorter than this, slivers up to this thickness may be taken off
+  double slit = 1e-4;       ///< notches shorter than this may be filled however they look
 };
 
 /// The least altitude of a triangle: how thick it is.
@@ -38,20 +41,30 @@ inline double thickness_of_triangle(const Point_2& a, const Point_2& b, const Po
   return longest > 0 ? doubled_area / longest : 0;
 }
 
-/// Is b the end of a notch that is longer than `length`, between sides that turn back at b?
-inline bool ends_a_slit(const Point_2& a, const Point_2& b, const Point_2& c, double length)
+/// Is the point on the right of the loop, where there is no material?
+inline bool is_void(const Point_2& p, const Outline& loop)
+{
+  const CGAL::Bounded_side right = twice_signed_area(loop) > 0 ? CGAL::ON_UNBOUNDED_SIDE : CGAL::ON_BOUNDED_SIDE;
+  return CGAL::bounded_side_2(loop.begin(), loop.end(), p) == right;
+}
+
+/// Is b the end of a notch of `uncleaned` that is longer than `length`, between sides that turn back at b? Cleaning
+/// itself can make what looks like one where a sliver of material was.
+inline bool
+ends_a_slit(const Point_2& a, const Point_2& b, const Point_2& c, double length, const Outline& uncleaned)
 {
   return (a - b) * (c - b) > 0 && CGAL::squared_distance(a, b) > length * length &&
-         CGAL::squared_distance(b, c) > length * length;
+         CGAL::squared_distance(b, c) > length * length && is_void(CGAL::centroid(a, b, c), uncleaned);
 }
 
 /// May vertex b, between a and c, be taken out? Where the loop turns left (material lies on its left), that removes the
 /// triangle abc; elsewhere it adds it. A slit stays, however narrow: walls of the model stand on both sides of it.
-inline bool is_dispensable(const Point_2& a, const Point_2& b, const Point_2& c, const Cleaning_tolerance& tolerance)
+inline bool is_dispensable(const Point_2& a, const Point_2& b, const Point_2& c, const Cleaning_tolerance& tolerance,
+                           const Outline& uncleaned)
 {
   const double thickness = thickness_of_triangle(a, b, c);
   if (CGAL::orientation(a, b, c) != CGAL::LEFT_TURN)
-    return thickness <= tolerance.added && !ends_a_slit(a, b, c, tolerance.short_side);
+    return thickness <= tolerance.added && !ends_a_slit(a, b, c, tolerance.slit, uncleaned);
   const double shorter = std::sqrt((std::min)(CGAL::squared_distance(a, b), CGAL::squared_distance(b, c)));
   return thickness <= (shorter < tolerance.short_side ? tolerance.short_side : tolerance.removed);
 }
@@ -59,11 +72,12 @@ inline bool is_dispensable(const Point_2& a, const Point_2& b, const Point_2& c,
 /// Takes out vertices as long as one is dispensable.
 inline void clean_loop(Outline& loop, const Cleaning_tolerance& tolerance)
 {
+  const Outline uncleaned = loop;
   std::size_t unchanged = 0; // consecutive vertices that had to stay
   for (std::size_t i = 0; loop.size() >= 3 && unchanged < loop.size();) {
     const std::size_t n = loop.size();
     i %= n;
-    if (is_dispensable(loop[(i + n - 1) % n], loop[i], loop[(i + 1) % n], tolerance)) {
+    if (is_dispensable(loop[(i + n - 1) % n], loop[i], loop[(i + 1) % n], tolerance, uncleaned)) {
       loop.erase(loop.begin() + std::ptrdiff_t(i));
       i = (i + n - 2) % n; // the predecessor has new neighbours
       unchanged = 0;
@@ -140,7 +154,7 @@ inline std::vector<Flat_polygon> cleaned_pieces(const Exact_polygon_set& set, do
 {
   std::vector<Flat_polygon> result;
   const auto accept = [&result](const Exact_polygon& polygon) {
-    for (const Cleaning_tolerance& tolerance : {Cleaning_tolerance(), Cleaning_tolerance{1e-5, 1e-8, 1e-5}}) {
+    for (const Cleaning_tolerance& tolerance : {Cleaning_tolerance(), Cleaning_tolerance{1e-5, 1e-8, 1e-5, 1e-5}}) {
       Flat_polygon piece = cleaned(polygon, tolerance);
       if (piece.outline.empty()) return true;
       if (!is_valid(piece)) continue;
