@@ -34,6 +34,7 @@ struct Flat_panels_options
   double min_edge = 0.002;        ///< shortest edge aimed at, in diagonals of the bounding box
   double min_width = 0.002;       ///< smallest width of a panel, in diagonals
   double thickness = 0;           ///< of the sheets, in diagonals: edges should have room for joints; 0: they need not
+  bool last_resort = false;       ///< try panels merged from many small ones however large the mesh: that can take long
   std::vector<double> importance; ///< by face: a distance there counts so many times, e.g. 1 + W s; empty: once
 };
 
@@ -107,6 +108,9 @@ inline std::string note_of_offences(const Input_surface& input, const Panel_sear
   return "smaller than wanted, for the panels could not be flat without: " + some_of(places);
 }
 
+/// Faces of a mesh that merging its panels one by one, under a caller's eyes, takes seconds for, not minutes.
+constexpr int quickly_coarsened = 3000;
+
 /// Changes panels until a caller's obstacles are gone.
 class Panel_rework
 {
@@ -159,11 +163,19 @@ private:
     std::vector<int> blocked;
   };
 
-  /// Takes the first of the models around a blocked panel that has fewer blocked panels, or else fewer panels. They are
-  /// tried on several threads and judged in order, so the result does not depend on the number of threads.
   bool improve(Panel_model& model, Flat_panels_result& result, std::vector<int>& blocked)
   {
-    std::vector<Panel_model> models = search.reworked(model, blocked[0]);
+    const std::vector<int> places(blocked.begin(), blocked.begin() + (std::min)(max_places, int(blocked.size())));
+    for (int p : places)
+      if (improve_at(p, model, result, blocked)) return true;
+    return false;
+  }
+
+  /// Takes the first of the models around a blocked panel that has fewer blocked panels, or else fewer panels. They are
+  /// tried on several threads and judged in order, so the result does not depend on the number of threads.
+  bool improve_at(int p, Panel_model& model, Flat_panels_result& result, std::vector<int>& blocked)
+  {
+    std::vector<Panel_model> models = search.reworked(model, p);
     if (int(models.size()) > max_trials) models.resize(max_trials);
     std::vector<Trial> trials(models.size());
     int chosen = -1;
@@ -200,7 +212,7 @@ private:
     if (trial.result.ok) trial.blocked = obstacles(trial.result);
   }
 
-  static constexpr int max_rounds = 16, max_trials = 12, max_failures = 4;
+  static constexpr int max_rounds = 16, max_places = 4, max_trials = 12, max_failures = 4;
 
   const Connectivity& c;
   const Points& source;
@@ -256,7 +268,8 @@ inline Flat_panels_result flat_panels(const internal::Connectivity& c, const Poi
     const auto start = std::chrono::steady_clock::now();
     internal::Panel_rework rework(c, source, input, search, obstacles);
     rework.run(model, result);
-    if (!result.ok) rework.coarsen(model, result);
+    if (!result.ok && (options.last_resort || c.number_of_faces() <= internal::quickly_coarsened))
+      rework.coarsen(model, result);
     result.obstacle_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
   if (model.offences > 0) search.notes.push_back(internal::note_of_offences(input, search, model, result.complex));

@@ -122,7 +122,8 @@ public:
   bool coarsened(const Model_test& accepted, Panel_model& m)
   {
     const Label_costs costs = label_costs();
-    const Panel_coarsening coarsening(modeller, costs, frame_points, accuracy(), options.seed, accepted);
+    const auto mended = [&](Panel_model& changed) { mend(costs, changed, nullptr); };
+    const Panel_coarsening coarsening(modeller, costs, frame_points, accuracy(), options.seed, mended, accepted);
     if (!coarsening.run(options.max_panels, m)) return false;
     for (int power : accuracy().powers) {
       Panel_model improved = m;

@@ -26,14 +26,17 @@ namespace internal {
 
 /// Whether a caller can use a model; an empty one: every model without faults.
 using Model_test = std::function<bool(const Panel_model&)>;
+/// Changes a model so that a mesh can follow it.
+using Model_change = std::function<void(Panel_model&)>;
 
 class Panel_coarsening
 {
 public:
   Panel_coarsening(const Panel_modeller& modeller, const Label_costs& costs, const Points& points,
-                   const Accuracy_options& accuracy, std::uint64_t seed, Model_test accepted = {})
+                   const Accuracy_options& accuracy, std::uint64_t seed, Model_change mend = {},
+                   Model_test accepted = {})
       : modeller(modeller), c(modeller.connectivity()), costs(costs), points(points), accuracy(accuracy), seed(seed),
-        accepted(std::move(accepted))
+        mend(std::move(mend)), accepted(std::move(accepted))
   {
   }
 
@@ -60,6 +63,7 @@ private:
     repairs.local_options = accuracy;
     for (int i = 0; i < pieces / 4 && m.faults > 0; ++i)
       if (!repairs.repair_once(m)) return false;
+    if (mend) mend(m);
     return is_usable(m);
   }
 
@@ -84,19 +88,37 @@ private:
 
   bool is_usable(const Panel_model& m) const { return m.faults == 0 && (!accepted || accepted(m)); }
 
+  /// Mergers that leave hairs come last.
   bool merge_cheapest_pair(const Teleport_search& search, Panel_model& m) const
   {
-    for (const auto& pair : search.cheapest_merges(m)) {
-      Label_edit edit = no_edit(m.labels, m.panels());
-      merge_labels(edit, pair.p, pair.q);
-      clip_ears(c, edit.labels);
+    const auto pairs = search.cheapest_merges(m);
+    const int hairs = count_hairs(m.topology->loops, m.state);
+    Panel_model with_hairs;
+    bool found = false;
+    int later = 0;
+    for (const auto& pair : pairs) {
       Panel_model merged;
-      std::vector<char> touched;
-      if (!modeller.rebuild(&m, edit, merged, touched) || !is_usable(merged)) continue;
-      m = std::move(merged);
-      return true;
+      if (!merge(m, pair, merged)) continue;
+      if (count_hairs(merged.topology->loops, merged.state) <= hairs) {
+        m = std::move(merged);
+        return true;
+      }
+      if (!found) with_hairs = std::move(merged), found = true;
+      if (++later == 20) break;
     }
-    return false;
+    if (found) m = std::move(with_hairs);
+    return found;
+  }
+
+  bool merge(const Panel_model& m, const Merge_candidate& pair, Panel_model& merged) const
+  {
+    Label_edit edit = no_edit(m.labels, m.panels());
+    merge_labels(edit, pair.p, pair.q);
+    clip_ears(c, edit.labels);
+    std::vector<char> touched;
+    if (!modeller.rebuild(&m, edit, merged, touched) || merged.faults > 0) return false;
+    if (mend) mend(merged);
+    return is_usable(merged);
   }
 
   const Panel_modeller& modeller;
@@ -105,6 +127,7 @@ private:
   const Points& points;
   Accuracy_options accuracy;
   std::uint64_t seed;
+  Model_change mend;
   Model_test accepted;
 };
 

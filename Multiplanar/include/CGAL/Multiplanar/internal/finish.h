@@ -132,8 +132,9 @@ inline Flat_panels_result flat_panels_or_fewer(const Connectivity& c, const Poin
   };
   Flat_panels_result flat = flat_panels(c, source, partitions, options, progress, obstacles);
   mapping_seconds += flat.obstacle_seconds;
+  const int wanted = options.max_panels;
   options.effort = Effort::fast;
-  for (int k = options.max_panels; !flat.ok && k > fewest;) {
+  for (int k = wanted; !flat.ok && k > fewest;) {
     k = (std::max)(fewest, k - (std::max)(1, k / 10));
     notes.push_back("no flat panels were found with more than " + std::to_string(k) + " of them");
     options.max_panels = k;
@@ -144,6 +145,12 @@ inline Flat_panels_result flat_panels_or_fewer(const Connectivity& c, const Poin
     for (std::vector<int> labels : partitions)
       if (make_panels(c, source, costs, labels, coarser).ok) fewer.push_back(labels);
     flat = flat_panels(c, source, fewer, options, progress, obstacles);
+    mapping_seconds += flat.obstacle_seconds;
+  }
+  if (!flat.ok) {
+    options.max_panels = wanted;
+    options.last_resort = true;
+    flat = flat_panels(c, source, partitions, options, progress, obstacles);
     mapping_seconds += flat.obstacle_seconds;
   }
   if (!flat.ok) throw std::runtime_error("no flat panels were found for this model");

@@ -17,10 +17,10 @@
 #include <vector>
 
 // Not every triangulation can be drawn in every polygon: a face with two sides on the boundary cannot lie at a corner
-// with an angle over 180 degrees, and an edge across the panel needs its ends to see each other. What fails is mended in
-// two ways. The vertices of a chain slide along their edge; and faces along the boundary are given to the panel across it,
-// or get company from there, as long as the complex stays the same: corners, edges and panels, only the mesh vertices that
-// they stand on may change.
+// with an angle over 180 degrees, and an edge across the panel needs its ends to see each other. What fails is mended
+// in two ways. The vertices of a chain slide along their edge; and faces along the boundary are given to the panel
+// across it, or get company from there, as long as the complex stays the same: corners, edges and panels, only the mesh
+// vertices that they stand on may change.
 
 namespace CGAL {
 namespace Multiplanar {
@@ -64,12 +64,13 @@ public:
   const Panel_complex& complex() const { return state.complex; }
   int relabelled_faces() const { return changes; }
 
-  /// The panels with faces that are not positive.
+  /// The panels with faces that are not positive, those with most of them first.
   std::vector<int> failed() const
   {
     std::vector<int> result;
     for (int p = 0; p < int(state.inverted.size()); ++p)
       if (state.inverted[p] > 0) result.push_back(p);
+    std::stable_sort(result.begin(), result.end(), [&](int p, int q) { return state.inverted[p] > state.inverted[q]; });
     return result;
   }
 
@@ -106,6 +107,7 @@ private:
   bool improve(int p)
   {
     if (slide(p, state)) return true;
+    if (state.inverted[p] > most_changed) return false;
     std::vector<std::pair<int, State>> worse; // what changes alone did not mend, for sliding
     for (const Change& change : possible_changes(p)) {
       std::optional<State> next = changed(state, change);
@@ -131,14 +133,20 @@ private:
     return true;
   }
 
-  /// Lets the boundaries between `p` and its neighbours slide. \return whether fewer faces are inverted
+  /// Lets the boundaries between `p` and its neighbours slide, with what is near in the neighbours or, if that does not
+  /// help, with all that is in them. \return whether fewer faces are inverted
   bool slide(int p, State& s) const
+  {
+    return slide_with(p, vertices_near_panel(c, s.complex, p, 2), s) ||
+           slide_with(p, std::vector<char>(c.number_of_vertices(), 1), s);
+  }
+
+  bool slide_with(int p, const std::vector<char>& movable, State& s) const
   {
     std::set<int> members{p};
     for (int q : s.complex.neighbours(p)) members.insert(q);
-    int before = 0;
-    for (int q : members) before += s.inverted[q];
-    Sliding_panels sliding(c, s.labels, s.complex, members, s.targets);
+    Sliding_panels sliding(c, s.labels, s.complex, members, movable, s.targets);
+    const int before = sliding.count_inverted();
     sliding.run();
     if (sliding.count_inverted() >= before) return false;
     sliding.write(s.targets);
@@ -146,8 +154,8 @@ private:
     return true;
   }
 
-  /// Single faces near the inverted ones of panel `p`, and all faces of one panel around one of their vertices, with the
-  /// panel that they could be given to: one of both is `p`. Single faces come first.
+  /// Single faces near the inverted ones of panel `p`, and all faces of one panel around one of their vertices, with
+  /// the panel that they could be given to: one of both is `p`. Single faces come first.
   std::vector<Change> possible_changes(int p) const
   {
     std::set<int> near, corners;
@@ -201,6 +209,9 @@ private:
     for (int p = 0; p < int(next.inverted.size()); ++p) next.inverted[p] = count_inverted(next, p);
     return next;
   }
+
+  /// Changes mend one place; a panel with more inverted faces than this is of the wrong shape.
+  static constexpr int most_changed = 12;
 
   const Connectivity& c;
   const Points& shape;

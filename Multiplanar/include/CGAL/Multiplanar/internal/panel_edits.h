@@ -4,7 +4,7 @@
 #ifndef CGAL_MULTIPLANAR_INTERNAL_PANEL_EDITS_H
 #define CGAL_MULTIPLANAR_INTERNAL_PANEL_EDITS_H
 
-#include <CGAL/Multiplanar/internal/Panel_model.h>
+#include <CGAL/Multiplanar/internal/Panel_modeller.h>
 
 #include <algorithm>
 #include <set>

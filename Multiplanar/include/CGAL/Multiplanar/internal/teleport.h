@@ -81,6 +81,7 @@ public:
     std::vector<Panel_model> good;
     for (int i = 0; i < int(results.size()); ++i)
       if (ok[i] && results[i].labels != m.labels) good.push_back(std::move(results[i]));
+    add_split(m, p, good);
     std::stable_sort(good.begin(), good.end(), ranks_before);
     return good;
   }
@@ -125,37 +126,21 @@ public:
     return false;
   }
 
-  /// Edits that lower the number of faults; the best of all near the panels concerned. \return false if there is none
+  /// Edits that lower the number of faults: the best of all near the first of the panels concerned that has one.
+  /// \return false if there is none
   bool repair_once(Panel_model& m)
   {
     std::set<int> bad;
     for (int p = 0; p < m.panels(); ++p)
       if (!m.surface->is_simple(p)) bad.insert(p);
-    for (const auto& pair : m.surface->conflicts(m.state, std::vector<char>(m.panels(), 1), 100))
-      bad.insert(pair[0]), bad.insert(pair[1]);
+    for (const auto& pair : m.contacts) bad.insert(pair[0]), bad.insert(pair[1]);
     edits.set_unit(0.02);
-    std::vector<Label_edit> candidates;
-    std::set<std::pair<int, int>> pairs;
-    for (int p : bad) {
-      candidates.push_back(edits.share(m, with_neighbours(m, p)));
-      candidates.push_back(edits.dissolve(m, p));
-      for (int q : Panel_edits::neighbours(m, p)) pairs.insert(std::minmax({p, q}));
+    const std::vector<int> order(bad.begin(), bad.end());
+    for (std::size_t first = 0; first < order.size(); first += repaired_at_once) {
+      const std::size_t last = (std::min)(order.size(), first + repaired_at_once);
+      if (repair_near(m, {order.begin() + std::ptrdiff_t(first), order.begin() + std::ptrdiff_t(last)})) return true;
     }
-    for (const auto& pq : pairs) candidates.push_back(edits.merge(m, pq.first, pq.second));
-    std::vector<Panel_model> results(candidates.size());
-    std::vector<char> ok(candidates.size(), 0);
-    for_each_parallel(int(candidates.size()), threads, [&](int i) {
-      std::vector<char> touched;
-      clip_ears(modeller.connectivity(), candidates[i].labels);
-      ok[i] = modeller.rebuild(&m, candidates[i], results[i], touched) && results[i].faults < m.faults;
-      if (ok[i]) modeller.measure(results[i], touched);
-    });
-    int best = -1;
-    for (int i = 0; i < int(results.size()); ++i)
-      if (ok[i] && (best < 0 || ranks_before(results[i], results[best]))) best = i;
-    if (best < 0) return false;
-    m = std::move(results[best]);
-    return true;
+    return false;
   }
 
   /// Removes short edges and narrow panels: the best of the edits near one that lower their number. \return false if
@@ -191,6 +176,32 @@ public:
   }
 
 private:
+  bool repair_near(Panel_model& m, const std::vector<int>& bad)
+  {
+    std::vector<Label_edit> candidates;
+    std::set<std::pair<int, int>> pairs;
+    for (int p : bad) {
+      candidates.push_back(edits.share(m, with_neighbours(m, p)));
+      candidates.push_back(edits.dissolve(m, p));
+      for (int q : Panel_edits::neighbours(m, p)) pairs.insert(std::minmax({p, q}));
+    }
+    for (const auto& pq : pairs) candidates.push_back(edits.merge(m, pq.first, pq.second));
+    std::vector<Panel_model> results(candidates.size());
+    std::vector<char> ok(candidates.size(), 0);
+    for_each_parallel(int(candidates.size()), threads, [&](int i) {
+      std::vector<char> touched;
+      clip_ears(modeller.connectivity(), candidates[i].labels);
+      ok[i] = modeller.rebuild(&m, candidates[i], results[i], touched) && results[i].faults < m.faults;
+      if (ok[i]) modeller.measure(results[i], touched);
+    });
+    int best = -1;
+    for (int i = 0; i < int(results.size()); ++i)
+      if (ok[i] && (best < 0 || ranks_before(results[i], results[best]))) best = i;
+    if (best < 0) return false;
+    m = std::move(results[best]);
+    return true;
+  }
+
   static std::vector<int> worst_first(const Panel_model& m)
   {
     std::vector<int> order(m.panels());
@@ -204,6 +215,22 @@ private:
     std::vector<int> result = Panel_edits::neighbours(m, p);
     result.push_back(p);
     return result;
+  }
+
+  /// The model with panel `p` split, and a cheap pair merged elsewhere if that makes too many.
+  void add_split(const Panel_model& m, int p, std::vector<Panel_model>& good)
+  {
+    Panel_model larger, result;
+    if (!attempt_edit(m, edits.split(m, p, m.panel_worst[p]), local_options, larger)) return;
+    if (larger.panels() <= max_panels) return good.push_back(std::move(larger));
+    int attempts = 0;
+    for (const auto& pair : edits.merges(m)) { // the numbers of m are those of `larger`, whose new panel is the last
+      if (pair.p == p || pair.q == p) continue;
+      if (++attempts > 6) return;
+      if (!attempt_edit(larger, edits.merge(larger, pair.p, pair.q), local_options, result)) continue;
+      if (result.panels() > max_panels) continue;
+      return good.push_back(std::move(result));
+    }
   }
 
   /// The panel of `now` that holds the worst face of panel `p` of `before`.
@@ -330,6 +357,7 @@ private:
   }
 
   static constexpr double least_gain = 0.9995, promising = 1.1;
+  static constexpr std::size_t repaired_at_once = 16; // panels; all of a few, some of many
 
   const Panel_modeller& modeller;
   Panel_edits edits;

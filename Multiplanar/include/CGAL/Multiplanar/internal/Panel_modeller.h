@@ -1,0 +1,372 @@
+// Copyright (c) 2026 The Multiplanar authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTIPLANAR_INTERNAL_PANEL_MODELLER_H
+#define CGAL_MULTIPLANAR_INTERNAL_PANEL_MODELLER_H
+
+#include <CGAL/Multiplanar/internal/Joint_room.h>
+#include <CGAL/Multiplanar/internal/Panel_model.h>
+#include <CGAL/Multiplanar/internal/accuracy_steps.h>
+#include <CGAL/Multiplanar/internal/first_fit.h>
+#include <CGAL/Multiplanar/internal/cutting_limits.h>
+#include <CGAL/Multiplanar/internal/label_edits.h>
+#include <CGAL/Multiplanar/internal/trace_topology.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Multiplanar {
+namespace internal {
+
+/// Makes and improves models of one input.
+class Panel_modeller
+{
+public:
+  /// \param min_edge, min_width what counts as an offence, in diagonals
+  /// \param thickness of the sheets, in diagonals; 0: room for joints does not count
+  Panel_modeller(const Input_surface& input, double spacing, double min_edge = 0, double min_width = 0,
+                 double thickness = 0)
+      : in(input), c(*input.connectivity), spacing(spacing), limits{min_edge, min_width}, joint_room(thickness),
+        face_moments(internal::face_moments(c, input.points))
+  {
+  }
+
+  /// The model of an edited labelling. Panels that exist before and after keep their planes; corners likewise. What is
+  /// new is fitted, with `refit` and every panel around a new corner free.
+  /// \param old the model before, or null: everything is new
+  /// \param touched receives the panels that were free
+  /// \return false if the labels cannot be made flat, or the fit fails
+  bool rebuild(const Panel_model* old, const Label_edit& edit, Panel_model& m, std::vector<char>& touched) const
+  {
+    const int n = int(edit.old_panel.size());
+    if (n < 4) return false;
+    auto topology = std::make_shared<Complex_topology>();
+    m.labels = edit.labels;
+    m.work = 0.3 * c.number_of_faces();
+    if (!Topology_tracer(c, m.labels, n).trace(*topology, m.corner_vertex)) return false;
+    m.topology = topology;
+    touched.assign(n, 0);
+    std::vector<char> refit(n, 0);
+    for (int p = 0; p < n; ++p) refit[p] = touched[p] = !old || edit.old_panel[p] < 0 || edit.refit[p];
+    sum_moments(old, edit, m);
+    place_planes(old, edit, refit, m);
+    place_corners(old, edit, refit, m, touched);
+    put_outer_loops_first(m, *topology);
+    Plane_corner_system system(*topology, touched);
+    if (!first_fit(m.moments, system, refit, m.state, 0.3 / double(system.free_corners().size() + 1))) return false;
+    make_surface(old, edit, system, m);
+    carry_distances(old, edit, system, m);
+    return true;
+  }
+
+  /// Accuracy steps with the panels of `free`.
+  void improve(Panel_model& m, const std::vector<char>& free, const Accuracy_options& options) const
+  {
+    const std::vector<int> active = active_samples(m, free);
+    std::vector<int> likely;
+    for (int i : active) likely.push_back(m.near_panel[i] >= 0 ? m.near_panel[i] : m.labels[in.samples[i].face]);
+    Accuracy_steps steps(in, *m.topology, free, active, std::move(likely), spacing, options);
+    auto surface = std::make_shared<Panel_surface>(*m.surface);
+    steps.run(m.state, *surface);
+    m.surface = surface;
+    m.faults += steps.number_of_faults() - steps.faults_before();
+    if (!m.contacts.empty()) renew_contacts(m, steps.distances().changed());
+    m.work += double(steps.distances().measured());
+    take_records(m, steps);
+    sum_up(m);
+  }
+
+  void improve_all(Panel_model& m, const Accuracy_options& options) const
+  {
+    improve(m, std::vector<char>(m.panels(), 1), options);
+  }
+
+  /// Measures the distances that depend on panels around the corners of `free`.
+  void measure(Panel_model& m, const std::vector<char>& free) const
+  {
+    const std::vector<char> changed = changed_panels(m, free);
+    for (std::size_t i = 0; i < in.samples.size(); ++i)
+      if (m.near_panel[i] < 0 || changed[m.near_panel[i]]) {
+        const auto q = m.surface->closest(in.samples[i].point, m.labels[in.samples[i].face]);
+        m.r[i] = in.importance_of(in.samples[i].face) * std::sqrt(q.squared_distance);
+        m.near_panel[i] = m.surface->panel_of(q.triangle);
+      }
+    renew_records(m, changed);
+    sum_up(m);
+  }
+
+  void measure_all(Panel_model& m) const
+  {
+    std::fill(m.near_panel.begin(), m.near_panel.end(), -1);
+    measure(m, std::vector<char>(m.panels(), 1));
+  }
+
+  bool is_short(const Panel_model& m, const Complex_topology::Edge& e) const { return limits.is_short(m.state, e); }
+  bool is_narrow(const Panel_model& m, int p) const { return limits.is_narrow(m.topology->loops[p], m.state, p); }
+
+  double sample_spacing() const { return spacing; }
+  const Input_surface& input() const { return in; }
+  const Connectivity& connectivity() const { return c; }
+  const std::vector<Moments>& moments_of_faces() const { return face_moments; }
+
+private:
+  static std::vector<char> changed_panels(const Panel_model& m, const std::vector<char>& free)
+  {
+    std::vector<char> changed(m.panels(), 0);
+    for (const auto& around : m.topology->corner_panels) {
+      bool moves = false;
+      for (int p : around) moves = moves || free[p];
+      for (int p : around) changed[p] = changed[p] || moves;
+    }
+    return changed;
+  }
+
+  std::vector<int> active_samples(const Panel_model& m, const std::vector<char>& free) const
+  {
+    const std::vector<char> changed = changed_panels(m, free);
+    std::vector<int> active;
+    for (int i = 0; i < int(in.samples.size()); ++i)
+      if (m.near_panel[i] < 0 || changed[m.near_panel[i]] || changed[m.labels[in.samples[i].face]]) active.push_back(i);
+    return active;
+  }
+
+  void sum_moments(const Panel_model* old, const Label_edit& edit, Panel_model& m) const
+  {
+    const int n = int(edit.old_panel.size());
+    m.moments.assign(n, Moments());
+    std::vector<char> differs(n, !old);
+    if (old) {
+      for (int p = 0; p < n; ++p) differs[p] = edit.old_panel[p] < 0;
+      std::vector<int> now(old->panels(), -1);
+      for (int p = 0; p < n; ++p)
+        if (edit.old_panel[p] >= 0) now[edit.old_panel[p]] = p;
+      for (int f = 0; f < c.number_of_faces(); ++f) {
+        const int before = now[old->labels[f]];
+        if (before == m.labels[f]) continue;
+        differs[m.labels[f]] = 1;
+        if (before >= 0) differs[before] = 1;
+      }
+      for (int p = 0; p < n; ++p)
+        if (!differs[p]) m.moments[p] = old->moments[edit.old_panel[p]];
+    }
+    for (int f = 0; f < c.number_of_faces(); ++f)
+      if (differs[m.labels[f]]) m.moments[m.labels[f]] += face_moments[f];
+  }
+
+  static void place_planes(const Panel_model* old, const Label_edit& edit, const std::vector<char>& refit,
+                           Panel_model& m)
+  {
+    const int n = int(edit.old_panel.size());
+    m.state.normal.resize(n), m.state.offset.resize(n);
+    for (int p = 0; p < n; ++p) {
+      if (refit[p]) fit_plane(m.moments[p], m.state.normal[p], m.state.offset[p]);
+      else
+        m.state.normal[p] = old->state.normal[edit.old_panel[p]],
+        m.state.offset[p] = old->state.offset[edit.old_panel[p]];
+    }
+  }
+
+  /// Corners that stand on the same vertex between the same panels stay; others start where their planes meet, if that
+  /// is near, or else on the mesh. All panels around a corner that is new become free.
+  void place_corners(const Panel_model* old, const Label_edit& edit, const std::vector<char>& refit, Panel_model& m,
+                     std::vector<char>& free) const
+  {
+    const Complex_topology& t = *m.topology;
+    std::unordered_map<int, int> before;
+    if (old)
+      for (std::size_t i = 0; i < old->corner_vertex.size(); ++i) before[old->corner_vertex[i]] = int(i);
+    m.state.corner.resize(t.number_of_corners());
+    for (int i = 0; i < t.number_of_corners(); ++i) {
+      m.state.corner[i] = in.points[m.corner_vertex[i]];
+      const auto found = before.find(m.corner_vertex[i]);
+      if (found != before.end() && same_panels(old->topology->corner_panels[found->second], t.corner_panels[i], edit)) {
+        m.state.corner[i] = old->state.corner[found->second];
+        continue;
+      }
+      bool refitted = false;
+      for (int p : t.corner_panels[i]) refitted = refitted || refit[p];
+      if (!refitted) meet(m, i);
+      for (int p : t.corner_panels[i]) free[p] = 1;
+    }
+  }
+
+  static void meet(Panel_model& m, int corner)
+  {
+    const auto& panels = m.topology->corner_panels[corner];
+    if (panels.size() != 3) return;
+    Eigen::Matrix3d N;
+    Vec3 d;
+    for (int i = 0; i < 3; ++i) N.row(i) = m.state.normal[panels[i]], d[i] = m.state.offset[panels[i]];
+    if (std::abs(N.determinant()) < 0.05) return;
+    const Vec3 x = N.inverse() * d;
+    if ((x - m.state.corner[corner]).norm() < 0.1) m.state.corner[corner] = x;
+  }
+
+  static bool same_panels(const std::vector<int>& before, const std::vector<int>& now, const Label_edit& edit)
+  {
+    if (before.size() != now.size()) return false;
+    for (int p : now)
+      if (edit.old_panel[p] < 0 || std::find(before.begin(), before.end(), edit.old_panel[p]) == before.end())
+        return false;
+    return true;
+  }
+
+  static void put_outer_loops_first(const Panel_model& m, Complex_topology& t)
+  {
+    for (int p = 0; p < t.number_of_panels(); ++p) {
+      auto& loops = t.loops[p];
+      double largest = 0;
+      for (std::size_t l = 0; loops.size() > 1 && l < loops.size(); ++l) {
+        Vec3 area = Vec3::Zero();
+        for (std::size_t i = 0; i < loops[l].size(); ++i)
+          area += m.state.corner[loops[l][i]].cross(m.state.corner[loops[l][(i + 1) % loops[l].size()]]);
+        const double a = area.dot(m.state.normal[p]);
+        if (l == 0 || a > largest) {
+          largest = a;
+          std::swap(loops[0], loops[l]);
+        }
+      }
+    }
+  }
+
+  /// Faults among panels that did not change are taken over, and looked for only where something did.
+  void make_surface(const Panel_model* old, const Label_edit& edit, const Plane_corner_system& system,
+                    Panel_model& m) const
+  {
+    const int n = m.panels();
+    std::vector<char> changed(n, 0);
+    for (int i : system.free_corners())
+      for (int p : m.topology->corner_panels[i]) changed[p] = 1;
+    auto surface = std::make_shared<Panel_surface>(*m.topology);
+    std::vector<int> all(n);
+    for (int p = 0; p < n; ++p) all[p] = p;
+    surface->update(m.state, all);
+    surface->build_tree(m.state);
+    m.surface = surface;
+    m.contacts.clear();
+    if (old) take_contacts(*old, edit, m);
+    renew_contacts(m, changed);
+    m.faults = int(m.contacts.size());
+    for (int p = 0; p < n; ++p) m.faults += !surface->is_simple(p);
+  }
+
+  /// Contacts between panels that exist before and after.
+  static void take_contacts(const Panel_model& old, const Label_edit& edit, Panel_model& m)
+  {
+    if (old.contacts.empty()) return;
+    std::vector<int> now(old.panels(), -1);
+    for (int p = 0; p < m.panels(); ++p)
+      if (edit.old_panel[p] >= 0) now[edit.old_panel[p]] = p;
+    for (const auto& pair : old.contacts)
+      if (now[pair[0]] >= 0 && now[pair[1]] >= 0) m.contacts.push_back({now[pair[0]], now[pair[1]]});
+  }
+
+  /// Looks for contacts of the panels in `changed` anew.
+  static void renew_contacts(Panel_model& m, const std::vector<char>& changed)
+  {
+    const auto lost = [&](const std::array<int, 2>& pair) { return changed[pair[0]] || changed[pair[1]]; };
+    m.contacts.erase(std::remove_if(m.contacts.begin(), m.contacts.end(), lost), m.contacts.end());
+    const auto found = m.surface->conflicts(m.state, changed, 1 << 20);
+    m.contacts.insert(m.contacts.end(), found.begin(), found.end());
+  }
+
+  void carry_distances(const Panel_model* old, const Label_edit& edit, const Plane_corner_system& system,
+                       Panel_model& m) const
+  {
+    m.r.assign(in.samples.size(), 0);
+    m.near_panel.assign(in.samples.size(), -1);
+    m.records.clear();
+    if (!old) return;
+    std::vector<int> now(old->panels(), -1);
+    for (int p = 0; p < m.panels(); ++p)
+      if (edit.old_panel[p] >= 0) now[edit.old_panel[p]] = p;
+    for (int i : system.free_corners())
+      for (int p : m.topology->corner_panels[i])
+        if (edit.old_panel[p] >= 0) now[edit.old_panel[p]] = -1; // its shape changed
+    for (std::size_t i = 0; i < m.r.size(); ++i)
+      if (old->near_panel[i] >= 0) m.r[i] = old->r[i], m.near_panel[i] = now[old->near_panel[i]];
+    for (Sample_record q : old->records) {
+      bool kept = true;
+      for (int& p : q.owner) p = now[p], kept = kept && p >= 0;
+      if (kept) m.records.push_back(q);
+    }
+  }
+
+  static void drop_records(Panel_model& m, const std::vector<char>& changed)
+  {
+    const auto lost = [&](const Sample_record& q) {
+      return changed[q.owner[0]] || changed[q.owner[1]] || changed[q.owner[2]];
+    };
+    m.records.erase(std::remove_if(m.records.begin(), m.records.end(), lost), m.records.end());
+  }
+
+  /// Takes over what accuracy steps measured last.
+  void take_records(Panel_model& m, const Accuracy_steps& steps) const
+  {
+    drop_records(m, steps.distances().changed());
+    const auto& samples = steps.distances().samples();
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      m.records.push_back({steps.last().to_input[i].r, samples[i].area / in.area, samples[i].near, samples[i].owner});
+    const auto& active = steps.distances().active();
+    for (std::size_t i = 0; i < active.size(); ++i) {
+      m.r[active[i]] = steps.last().to_panels[i].r;
+      m.near_panel[active[i]] = steps.last().to_panels[i].panel;
+    }
+  }
+
+  /// Samples the panels in `changed` anew.
+  void renew_records(Panel_model& m, const std::vector<char>& changed) const
+  {
+    drop_records(m, changed);
+    std::vector<Panel_sample> samples;
+    Panel_sampler(*m.topology, spacing).sample(m.state, *m.surface, changed, samples);
+    for (const Panel_sample& sample : samples) {
+      Vec3 x = Vec3::Zero();
+      for (int j = 0; j < 3; ++j) x += sample.weights.w[j] * m.state.corner[sample.corner[j]];
+      const auto q = in.tree.closest(x, in.nearby(x));
+      m.records.push_back({in.importance_of(q.triangle) * std::sqrt(q.squared_distance), sample.area / in.area,
+                           q.triangle, sample.owner});
+    }
+  }
+
+  void sum_up(Panel_model& m) const
+  {
+    m.offences = limits.count_offences(*m.topology, m.state);
+    m.lack = joint_room.lack(*m.topology, m.state);
+    m.panel_error.assign(m.panels(), 0);
+    m.panel_worst.assign(m.panels(), -1);
+    m.largest = 0;
+    const auto note = [&](double r, int face) {
+      const int p = m.labels[face];
+      if (r > m.panel_error[p] || m.panel_worst[p] < 0) m.panel_error[p] = r, m.panel_worst[p] = face;
+      m.largest = (std::max)(m.largest, r);
+    };
+    for (std::size_t i = 0; i < m.r.size(); ++i) note(m.r[i], in.samples[i].face);
+    for (const auto& q : m.records) note(q.r, q.face);
+    if (!(m.largest > 0)) {
+      m.merit = 0;
+      return;
+    }
+    double sum = 0;
+    for (std::size_t i = 0; i < m.r.size(); ++i) sum += in.samples[i].area / in.area * power(m.r[i] / m.largest, 32);
+    for (const auto& q : m.records) sum += q.area * power(q.r / m.largest, 32);
+    m.merit = m.largest * std::pow(sum, 1.0 / 32);
+  }
+
+  const Input_surface& in;
+  const Connectivity& c;
+  double spacing;
+  Cutting_limits limits;
+  Joint_room joint_room;
+  std::vector<Moments> face_moments;
+};
+
+} // namespace internal
+} // namespace Multiplanar
+} // namespace CGAL
+
+#endif // CGAL_MULTIPLANAR_INTERNAL_PANEL_MODELLER_H
