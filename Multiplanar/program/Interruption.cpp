@@ -3,8 +3,6 @@
 
 #include "Interruption.h"
 
-#include <CGAL/Multiplanar/internal/serial_libraries.h>
-
 #include <atomic>
 #include <chrono>
 #include <cstdio>
@@ -45,19 +43,13 @@ void remove_whole(const std::string& path)
   _exit(128 + signal);
 }
 
-/// OpenBLAS starts its threads before `main`, where no signal is blocked yet. It starts them anew when it needs them.
-void end_threads_of_blas()
-{
-  if (auto* end = CGAL::Multiplanar::internal::loaded_function<int()>("blas_thread_shutdown_")) end();
-}
-
 } // namespace
 
 /// The signals are blocked in every thread, and one thread takes them when they come. A handler would not do: METIS
-/// puts its own in the place of any other while it runs, and there a SIGTERM only ends METIS.
+/// puts its own in the place of any other while it runs, and there a SIGTERM only ends METIS. OpenBLAS starts threads
+/// before `main`, where no signal is blocked yet: take_memory_of_blas() has ended them.
 void watch_for_interruption()
 {
-  end_threads_of_blas();
   sigset_t signals;
   sigemptyset(&signals);
   for (int s : {SIGINT, SIGTERM, SIGHUP}) {

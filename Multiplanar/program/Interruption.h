@@ -11,7 +11,7 @@
 // Ctrl-C, termination and hang-up end the program at once, whatever it computes: a thread of its own waits for the
 // signals, removes what was begun and ends the process with 128 + the signal's number.
 
-/// To be called once, at the beginning.
+/// To be called once, at the beginning, after take_memory_of_blas().
 void watch_for_interruption();
 
 /// Held while the temporary output is made, renamed or removed, so that a signal comes before or after, never between.

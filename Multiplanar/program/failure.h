@@ -28,6 +28,8 @@ inline Failure usage_error(const std::string& line) { return Failure(exit_usage,
 inline Failure input_error(const std::string& line) { return Failure(exit_input, line); }
 inline Failure resource_error(const std::string& line) { return Failure(exit_resource, line); }
 
+constexpr const char* out_of_memory_line = "out of memory: take a smaller mesh or a machine with more memory";
+
 /// Text from a file made fit for a one-line message: shortened, and what cannot be printed replaced.
 std::string quoted(const std::string& text);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Interruption.h"
+#include "blas_memory.h"
 #include "command_line.h"
 #include "commands.h"
 #include "failure.h"
@@ -56,6 +57,7 @@ void check_standard_output()
 
 int main(int argc, char** argv)
 {
+  take_memory_of_blas();
   watch_for_interruption();
   silence_libraries(argv[0]);
   std::optional<Progress> progress;
@@ -72,7 +74,7 @@ int main(int argc, char** argv)
   } catch (const Failure& failure) {
     return fail(shown, failure.code, failure.what());
   } catch (const std::bad_alloc&) {
-    return fail(shown, exit_resource, "out of memory: take a smaller mesh or a machine with more memory");
+    return fail(shown, exit_resource, out_of_memory_line);
   } catch (const std::exception& error) {
     std::string what = error.what();
     for (char& c : what)
