@@ -289,12 +289,15 @@ private:
     if (ranks_before(m, best)) best = m;
   }
 
-  /// What is too short or too narrow to be cut is removed.
+  /// What is too short or too narrow to be cut is removed; what that costs is regained as far as it can be.
   void tidy(Panel_model& m)
   {
     Teleport_search t(modeller, options.max_panels, threads);
     t.local_options = local_accuracy();
+    const double cost = m.cost();
     while (m.offences > 0 && t.tidy_once(m)) {
+    }
+    for (int i = 0; i < 64 && m.cost() > 1.02 * cost && t.improve_once(m); ++i) {
     }
   }
 
