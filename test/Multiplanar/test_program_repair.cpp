@@ -3,8 +3,13 @@
 
 #include "program_runner.h"
 
+#include <CGAL/IO/PLY.h>
+#include <CGAL/squared_distance_3.h>
+
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 #include <sstream>
 
@@ -41,6 +46,41 @@ Mesh torn(const Mesh& mesh, double most)
   return result;
 }
 
+/// A torus whose tube goes around twice before it closes, so that it passes through itself all along.
+Mesh doubly_wound_torus(int n, int m)
+{
+  Mesh mesh;
+  const double full = 2 * std::acos(-1.);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < m; ++j) {
+      const double u = full * i / n, v = full * j / m, r = 1 + 0.3 * std::cos(v), x = 3 + r * std::cos(2 * v);
+      mesh.points.emplace_back(x * std::cos(u), x * std::sin(u), r * std::sin(2 * v));
+    }
+  const auto vertex = [&](int i, int j) { return i % n * m + j % m; };
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < m; ++j) {
+      mesh.triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
+      mesh.triangles.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+    }
+  return mesh;
+}
+
+/// The largest distance of a point from the triangles of a mesh.
+double farthest(const std::vector<Point_3>& points, const Mesh& mesh)
+{
+  using Triangle_3 = CGAL::Kernel_traits<Point_3>::Kernel::Triangle_3;
+  double worst = 0;
+  for (const Point_3& p : points) {
+    double least = 1e300;
+    for (const auto& t : mesh.triangles)
+      least = (std::min)(
+          least, CGAL::squared_distance(p, Triangle_3(mesh.points[std::size_t(t[0])], mesh.points[std::size_t(t[1])],
+                                                      mesh.points[std::size_t(t[2])])));
+    worst = (std::max)(worst, least);
+  }
+  return std::sqrt(worst);
+}
+
 class Program_repair : public Program_test
 {
 protected:
@@ -52,15 +92,16 @@ protected:
   }
 
   /// Refused without --repair; with it, mended by the step that says `words`, alone if `alone`.
-  void expect_mended(const Mesh& mesh, const std::string& words, bool alone = true) const
+  void expect_mended(const Mesh& mesh, const std::string& words, bool alone = true,
+                     const std::string& panels = "6") const
   {
     SCOPED_TRACE(words);
     const std::string file = write("m.off", off_text(mesh));
-    const Outcome refused = approximate(file, false);
+    const Outcome refused = approximate(file, false, panels);
     EXPECT_EQ(refused.code, 3);
     EXPECT_NE(refused.err.find("--repair"), std::string::npos) << refused.err;
     EXPECT_FALSE(fs::exists(path("shell.repaired.ply")));
-    const Outcome mended = approximate(file, true);
+    const Outcome mended = approximate(file, true, panels);
     ASSERT_EQ(mended.code, 0) << mended.err;
     EXPECT_NE(mended.out.find("warning: repair: " + words), std::string::npos) << mended.out;
     if (alone) {
@@ -69,7 +110,8 @@ protected:
     // What was saved needs no repair any more, and gives the same result.
     const std::string shell = content(path("shell.ply"));
     ASSERT_TRUE(fs::exists(path("shell.repaired.ply")));
-    const Outcome again = approximate(path("shell.repaired.ply"), false);
+    fs::copy_file(path("shell.repaired.ply"), path("saved.ply"), fs::copy_options::overwrite_existing);
+    const Outcome again = approximate(path("shell.repaired.ply"), false, panels);
     EXPECT_EQ(again.code, 0) << again.err;
     EXPECT_EQ(content(path("shell.ply")), shell);
     fs::remove(path("shell.repaired.ply"));
@@ -132,6 +174,17 @@ TEST_F(Program_repair, self_intersections_are_resolved)
 
 TEST_F(Program_repair, what_cannot_be_mended_is_wrapped)
 {
+  const Mesh torus = doubly_wound_torus(16, 15);
+  expect_mended(torus, "wrapped the mesh in a new surface", true, "30");
+  std::vector<Point_3> points;
+  std::vector<std::vector<std::size_t>> faces;
+  ASSERT_TRUE(CGAL::IO::read_PLY(path("saved.ply"), points, faces));
+  EXPECT_LT(farthest(points, torus), 0.01);           // a 1800th of the diagonal and some
+  EXPECT_GT(farthest(points, geodesic_sphere(2)), 1); // what is far is seen to be far
+}
+
+TEST_F(Program_repair, walls_that_cross_and_loose_walls_are_resolved)
+{
   Mesh crossing = joined(cube(1), mapped(cube(1), [](const Point_3& p) { // every wall of one stands in the other
                            return Point_3(p.x() + 0.5, p.y() + 0.4, p.z() + 0.3);
                          }));
@@ -147,6 +200,7 @@ TEST_F(Program_repair, what_cannot_be_mended_is_wrapped)
   EXPECT_EQ(approximate(file, false, "12").code, 3);
   const Outcome mended = approximate(file, true, "12");
   ASSERT_EQ(mended.code, 0) << mended.err;
+  EXPECT_NE(mended.out.find("repair: "), std::string::npos) << mended.out;
 }
 
 TEST_F(Program_repair, a_moebius_band_becomes_a_closed_surface)

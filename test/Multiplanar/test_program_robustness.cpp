@@ -324,3 +324,20 @@ TEST_F(Program_robustness, the_suite_notices_crashes_limits_and_wrong_words)
             left_behind);
   EXPECT_EQ(suite(opened, {"--program", impostor("mkdir \"$4\"")}), wrong_refusal);
 }
+
+TEST_F(Program_robustness, too_little_memory_is_said_and_never_waited_for)
+{
+  // OpenBLAS asks for its buffers again and again if it does not get them.
+  const std::string mesh = write("m.off", off_text(bumpy_sphere(4)));
+  for (const char* kilobytes : {"150000", "180000"}) {
+    const std::string limited =
+        impostor(std::string("ulimit -v ") + kilobytes + "; exec timeout 60 \"" MULTIPLANAR_PROGRAM "\" \"$@\"");
+    const std::string command =
+        "\"" + limited + "\" make \"" + mesh + "\" -o \"" + path("out") + "\" -k 12 --effort fast --quiet";
+    const int status = std::system((command + " > \"" + path("said") + "\" 2>&1").c_str());
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 4) << kilobytes << "\n" << content(path("said"));
+    EXPECT_NE(content(path("said")).find("out of memory"), std::string::npos) << content(path("said"));
+    EXPECT_FALSE(fs::exists(path("out")));
+  }
+}
