@@ -57,6 +57,8 @@ Approximation_result approximated(const Input_mesh& mesh, const Approximation_op
     return internal::approximate(mesh.connectivity, mesh.points, options, visitor);
   } catch (const std::invalid_argument& error) {
     throw input_error(mesh.file + ": " + error.what());
+  } catch (const No_flat_panels& error) {
+    throw input_error(mesh.file + ": " + error.what());
   } catch (const std::runtime_error& error) {
     throw broken(mesh, error.what());
   }

@@ -73,7 +73,7 @@ with holes, and all of them together are again a closed surface of the same genu
 \return the panels as polygons, the measured distances, and what the run noted
 
 \throws std::invalid_argument if the mesh is not a closed oriented triangle mesh or a parameter does not fit it
-\throws std::runtime_error if no flat panels were found that the mesh can be moved to; the mesh is as it was then
+\throws No_flat_panels if none were found that the mesh can be moved to; the mesh is as it was then
 */
 template <class TriangleMesh, class FacePanelMap, class NamedParameters = parameters::Default_named_parameters>
 Multiplanar::Approximation_result multiplanar_approximation(TriangleMesh& mesh, FacePanelMap panel_map,

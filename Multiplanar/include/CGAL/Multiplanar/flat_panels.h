@@ -15,6 +15,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -34,6 +35,7 @@ struct Flat_panels_options
   double min_edge = 0.002;        ///< shortest edge aimed at, in diagonals of the bounding box
   double min_width = 0.002;       ///< smallest width of a panel, in diagonals
   double thickness = 0;           ///< of the sheets, in diagonals: edges should have room for joints; 0: they need not
+  int max_questions = 0;          ///< asked about obstacles, but for those of a last resort; 0: any number
   bool last_resort = false;       ///< try panels merged from many small ones however large the mesh: that can take long
   std::vector<double> importance; ///< by face: a distance there counts so many times, e.g. 1 + W s; empty: once
 };
@@ -56,6 +58,7 @@ struct Flat_panels_result
   double hausdorff_error = 0;      ///< how far these may exceed what is attained
   double mean = 0;                 ///< mean distance of the source from the panels
   double obstacle_seconds = 0;     ///< until no obstacles were left
+  int questions = 0;               ///< asked about obstacles, but for those of a last resort
   std::shared_ptr<void> companion; ///< what the caller's obstacles left with this result; nobody else looks at it
   std::vector<std::string> notes;  ///< where accuracy was given up, a sentence each
 };
@@ -115,16 +118,21 @@ constexpr int quickly_coarsened = 3000;
 class Panel_rework
 {
 public:
+  /// \param max_questions how often `run()` may ask
   Panel_rework(const Connectivity& c, const Points& source, const Input_surface& input, Panel_search& search,
-               const Flat_panels_obstacles& obstacles)
-      : c(c), source(source), in(input), search(search), obstacles(obstacles)
+               const Flat_panels_obstacles& obstacles, int max_questions)
+      : c(c), source(source), in(input), search(search), obstacles(obstacles), left(max_questions)
   {
   }
+
+  /// How often `run()` may still ask.
+  int questions_left() const { return left; }
 
   /// `result` is not ok in the end if obstacles are left.
   void run(Panel_model& model, Flat_panels_result& result)
   {
     std::vector<int> blocked = result.ok ? obstacles(result) : std::vector<int>();
+    left -= result.ok;
     const double cost = model.cost();
     const bool changed = !blocked.empty();
     for (int round = 0; !blocked.empty() && result.ok; ++round) {
@@ -176,7 +184,8 @@ private:
   bool improve_at(int p, Panel_model& model, Flat_panels_result& result, std::vector<int>& blocked)
   {
     std::vector<Panel_model> models = search.reworked(model, p);
-    if (int(models.size()) > max_trials) models.resize(max_trials);
+    const int most = (std::max)(0, (std::min)(max_trials, left));
+    if (int(models.size()) > most) models.resize(most);
     std::vector<Trial> trials(models.size());
     int chosen = -1;
     for (int begin = 0; begin < int(models.size()) && chosen < 0; begin += search.number_of_threads()) {
@@ -185,6 +194,7 @@ private:
       for (int i = begin; i < end && chosen < 0; ++i)
         if (trials[i].result.ok && trials[i].blocked.size() < blocked.size()) chosen = i;
     }
+    left -= chosen < 0 ? int(models.size()) : chosen + 1;
     for (int i = 0; i < int(models.size()) && chosen < 0; ++i)
       if (trials[i].result.ok && models[i].panels() < model.panels()) chosen = i;
     if (chosen < 0) return false;
@@ -198,7 +208,8 @@ private:
   void regain(double cost, Panel_model& model, Flat_panels_result& result)
   {
     Panel_model next = model;
-    for (int failures = 0; failures < max_failures && model.cost() > 1.02 * cost && search.improve_once(next);) {
+    for (int failures = 0;
+         failures < max_failures && left > 0 && model.cost() > 1.02 * cost && search.improve_once(next); --left) {
       Trial trial;
       attempt(next, trial);
       if (trial.result.ok && trial.blocked.empty()) model = next, result = std::move(trial.result), failures = 0;
@@ -219,6 +230,7 @@ private:
   const Input_surface& in;
   Panel_search& search;
   const Flat_panels_obstacles& obstacles;
+  int left;
 };
 
 } // namespace internal
@@ -266,10 +278,13 @@ inline Flat_panels_result flat_panels(const internal::Connectivity& c, const Poi
   result = internal::result_of(c, source, input, model);
   if (obstacles) {
     const auto start = std::chrono::steady_clock::now();
-    internal::Panel_rework rework(c, source, input, search, obstacles);
+    const int questions = options.max_questions > 0 ? options.max_questions : (std::numeric_limits<int>::max)();
+    internal::Panel_rework rework(c, source, input, search, obstacles, questions);
     rework.run(model, result);
+    const int asked = questions - rework.questions_left();
     if (!result.ok && (options.last_resort || c.number_of_faces() <= internal::quickly_coarsened))
       rework.coarsen(model, result);
+    result.questions = asked;
     result.obstacle_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
   if (model.offences > 0) search.notes.push_back(internal::note_of_offences(input, search, model, result.complex));

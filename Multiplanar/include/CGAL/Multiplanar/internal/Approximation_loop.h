@@ -77,9 +77,12 @@ public:
     return !is_done();
   }
 
-  bool is_done() const { return pass >= options.iterations || converged(); }
+  bool is_done() const { return pass >= options.iterations || converged() || crumpled(); }
   /// Two passes in a row changed nothing, so none of the others would.
   bool converged() const { return still_passes >= 2; }
+  /// The guard refused one move in ten. The next passes would refuse more and take ever longer to find that out, for
+  /// labels of a shape that is less and less the model's.
+  bool crumpled() const { return refused > std::size_t(c.number_of_vertices()) / 10; }
   int passes() const { return pass; }
   const Points& points() const { return moved; }
   const std::vector<int>& labels() const { return face_labels; }

@@ -4,6 +4,7 @@
 #ifndef CGAL_MULTIPLANAR_INTERNAL_FINISH_H
 #define CGAL_MULTIPLANAR_INTERNAL_FINISH_H
 
+#include <CGAL/Multiplanar/No_flat_panels.h>
 #include <CGAL/Multiplanar/flat_panels.h>
 #include <CGAL/Multiplanar/label_costs.h>
 #include <CGAL/Multiplanar/panel_complex_problems.h>
@@ -12,19 +13,20 @@
 #include <CGAL/Multiplanar/internal/Unit_frame.h>
 #include <CGAL/Multiplanar/internal/embedding.h>
 #include <CGAL/Multiplanar/internal/follow_panels.h>
+#include <CGAL/Multiplanar/internal/isotopic_change.h>
 #include <CGAL/Multiplanar/internal/map_to_panels.h>
 
 #include <algorithm>
 #include <map>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-// The last part of an approximation: exactly flat polygons, the mesh mapped into them, and the mesh moved there by
-// guarded motion. What stands in the way costs accuracy, never a promise: panels that the mesh cannot be mapped into,
-// or cannot reach, are merged with a neighbour, and the work is done again with one panel less.
+// The last part of an approximation: exactly flat polygons, the mesh mapped into them, and the mesh moved there. A
+// sphere is put there at once, other surfaces by guarded motion; see isotopic_change.h for why that is as good.
+// What stands in the way costs accuracy, never a promise: panels that the mesh cannot be mapped into, or cannot reach,
+// are merged with a neighbour, and the work is done again with one panel less.
 
 namespace CGAL {
 namespace Multiplanar {
@@ -63,6 +65,38 @@ inline const Panel_mapping& mapping_of(const Flat_panels_result& flat)
   return *static_cast<const Panel_mapping*>(flat.companion.get());
 }
 
+/// Puts `points` to `targets` if that is known to change nothing but the shape.
+/// \param blocked where the targets are not embedded: receives the panels
+/// \pre the points are embedded
+inline bool put(const Connectivity& c, const Points& targets, const std::vector<int>& labels, Points& points,
+                std::vector<int>& blocked)
+{
+  blocked.clear();
+  if (!certainly_isotopic(c, points, targets)) return false;
+  if (const auto fault = find_embedding_fault(c, targets)) {
+    blocked = {labels[fault->first]};
+    if (labels[fault->second] != blocked[0]) blocked.push_back(labels[fault->second]);
+    return false;
+  }
+  points = targets;
+  return true;
+}
+
+/// Moves `points` from the source to `targets`. \return the panels where the mesh did not arrive
+inline std::vector<int> move_to(const Connectivity& c, const Points& targets, const std::vector<int>& labels,
+                                Points& points)
+{
+  std::vector<int> blocked;
+  if (c.genus() == 0) {
+    if (put(c, targets, labels, points, blocked) || !blocked.empty()) return blocked;
+  }
+  Guarded_motion guard(c);
+  follow(c, guard, targets, 20, 40, points);
+  const std::vector<int> away = vertices_away(points, targets);
+  if (away.empty() || put(c, targets, labels, points, blocked) || !blocked.empty()) return blocked;
+  return panels_around(c, labels, away);
+}
+
 /// Moves the mesh from the source to where `flat` has it mapped.
 inline Finished_surface move_to_panels(const Connectivity& c, const Points& source, Flat_panels_result flat,
                                        Stopwatch& clock)
@@ -74,9 +108,7 @@ inline Finished_surface move_to_panels(const Connectivity& c, const Points& sour
   done.points = source;
   if (mapping.failed().empty()) {
     const Stopwatch::Lap lap(clock, "motion to the panels");
-    Guarded_motion guard(c);
-    follow(c, guard, mapping.targets(), 20, 40, done.points);
-    done.blocked = panels_around(c, flat.panel_of_face, vertices_away(done.points, mapping.targets()));
+    done.blocked = move_to(c, mapping.targets(), flat.panel_of_face, done.points);
   } else {
     done.blocked = mapping.failed();
   }
@@ -116,7 +148,22 @@ inline bool merge_panel(const Connectivity& c, const Points& source, const Label
   return false;
 }
 
+/// How much is done for panels that the mesh fits into before it is given up. What is asked about them costs time in
+/// proportion to the faces.
+struct Patience
+{
+  explicit Patience(int faces)
+      : questions((std::max)(24, 1200000 / faces)), rounds(faces <= 10000 ? 6 : 2), last_resort(faces <= 10000)
+  {
+  }
+
+  int questions;    ///< over all rounds, see `Flat_panels_options::max_questions`
+  int rounds;       ///< with fewer panels each
+  bool last_resort; ///< see `Flat_panels_options`
+};
+
 /// Polygons from the partitions, or from coarser ones if those cannot be made flat.
+/// \throws No_flat_panels if none were found
 /// \return a result with the mesh mapped into the polygons as its companion (`mapping_of()`)
 inline Flat_panels_result flat_panels_or_fewer(const Connectivity& c, const Points& source, const Label_costs& costs,
                                                const std::vector<std::vector<int>>& partitions,
@@ -130,12 +177,19 @@ inline Flat_panels_result flat_panels_or_fewer(const Connectivity& c, const Poin
     candidate.companion = mapping;
     return mapping->failed();
   };
-  Flat_panels_result flat = flat_panels(c, source, partitions, options, progress, obstacles);
-  mapping_seconds += flat.obstacle_seconds;
+  Patience patience(c.number_of_faces());
+  Flat_panels_result flat;
+  const auto attempt = [&](const std::vector<std::vector<int>>& starts) {
+    options.max_questions = (std::max)(1, patience.questions);
+    flat = flat_panels(c, source, starts, options, progress, obstacles);
+    patience.questions -= flat.questions;
+    mapping_seconds += flat.obstacle_seconds;
+  };
+  attempt(partitions);
   const int wanted = options.max_panels;
   options.effort = Effort::fast;
-  for (int k = wanted; !flat.ok && k > fewest;) {
-    k = (std::max)(fewest, k - (std::max)(1, k / 10));
+  for (int k = wanted; !flat.ok && k > fewest && patience.rounds > 0; --patience.rounds) {
+    k = (std::max)(fewest, k - (std::max)(1, 3 * k / 20));
     notes.push_back("no flat panels were found with more than " + std::to_string(k) + " of them");
     options.max_panels = k;
     ++options.seed;
@@ -144,21 +198,19 @@ inline Flat_panels_result flat_panels_or_fewer(const Connectivity& c, const Poin
     std::vector<std::vector<int>> fewer;
     for (std::vector<int> labels : partitions)
       if (make_panels(c, source, costs, labels, coarser).ok) fewer.push_back(labels);
-    flat = flat_panels(c, source, fewer, options, progress, obstacles);
-    mapping_seconds += flat.obstacle_seconds;
+    attempt(fewer);
   }
-  if (!flat.ok) {
+  if (!flat.ok && patience.last_resort) {
     options.max_panels = wanted;
     options.last_resort = true;
-    flat = flat_panels(c, source, partitions, options, progress, obstacles);
-    mapping_seconds += flat.obstacle_seconds;
+    attempt(partitions);
   }
-  if (!flat.ok) throw std::runtime_error("no flat panels were found for this model");
+  if (!flat.ok) throw No_flat_panels(wanted, c.genus(), c.number_of_faces());
   return flat;
 }
 
 /// Completes `result` from the labellings in `partitions`.
-/// \throws std::runtime_error if no flat panels exist that the mesh can be moved to; not seen on closed embedded meshes
+/// \throws No_flat_panels if none were found that the mesh can be moved to
 inline void finish(const Connectivity& c, const Points& source, const std::vector<std::vector<int>>& partitions,
                    const Approximation_options& options, Approximation_visitor& visitor, Approximation_result& result)
 {
@@ -195,7 +247,7 @@ inline void finish(const Connectivity& c, const Points& source, const std::vecto
       place = near_panel(done.flat.complex, done.blocked[i]);
       merged = merge_panel(c, source, costs, done.blocked[i], labels);
     }
-    if (!merged) throw std::runtime_error("the mesh cannot be moved to flat panels without intersecting itself");
+    if (!merged) throw No_flat_panels(options.panels, c.genus(), c.number_of_faces());
     result.notes.push_back("the panel " + place + " was merged with a neighbour: the mesh could not be moved there");
     const Stopwatch::Lap lap(clock, "flat panels");
     flat_options.max_panels = done.flat.complex.number_of_panels() - 1;
