@@ -27,6 +27,7 @@ enum class Verdict
   time_limit = 21,    ///< more processor time than allowed, or it hangs
   memory_limit = 22,  ///< more memory than allowed
   crash = 23,         ///< ended by a signal, or an internal error
+  not_found = 24,     ///< taken, but no flat panels were found: exit code 3 and one line that says so
 };
 
 inline const char* name_of(Verdict verdict)
@@ -64,6 +65,8 @@ inline const char* name_of(Verdict verdict)
     return "memory limit";
   case Verdict::crash:
     return "crash";
+  case Verdict::not_found:
+    return "not found";
   }
   return "";
 }

@@ -36,7 +36,7 @@ const char* const help =
     "  --header      prints the heads of the columns\n"
     "exit codes: 0 kept (or rightly refused), 10 connectivity, 11 closed, 12 embedded, 13 flat, 14 k exceeded,\n"
     "  15 parts overlap, 16 outside, 17 parts, 18 unreadable output, 19 wrong refusal, 20 left behind, 21 time limit,\n"
-    "  22 memory limit, 23 crash; 1 usage\n";
+    "  22 memory limit, 23 crash, 24 no flat panels found; 1 usage\n";
 
 const char* const heads = "mesh\tfaces\tgenus\tk\tpanels\tHausdorff %\tseconds\tMB\tresult\tremark\n";
 
@@ -127,7 +127,9 @@ void check_refusal(const Process_result& made, const Input& input, const Job& jo
   const auto lines = std::count(made.errors.begin(), made.errors.end(), '\n');
   std::set<Fault> faults = input.faults;
   if (faults.empty() && (input.faces < row.k || row.k < 4 + 3 * input.genus)) faults.insert(Fault::panels);
-  if (made.exit_code != 3 || lines != 1 || row.remark.rfind(job.mesh, 0) != 0 || !is_right_message(row.remark, faults))
+  const bool gave_up = faults.empty() && row.remark.find("flat panels were found") != std::string::npos;
+  if (gave_up && made.exit_code == 3 && lines == 1) row.broken.emplace_back(Verdict::not_found, row.remark);
+  else if (made.exit_code != 3 || lines != 1 || row.remark.rfind(job.mesh, 0) != 0 || !is_right_message(row.remark, faults))
     row.broken.emplace_back(Verdict::refusal, "exit code " + std::to_string(made.exit_code) + ", " +
                                                   std::to_string(lines) + " lines: " + row.remark);
   for (const auto& entry : fs::directory_iterator(folder))
