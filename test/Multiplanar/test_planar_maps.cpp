@@ -1,12 +1,16 @@
 // Copyright (c) 2026 The Multiplanar authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Multiplanar/internal/local_untangling.h>
+#include <CGAL/Multiplanar/internal/injective_map.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <random>
+#include <vector>
 
 using namespace CGAL::Multiplanar::internal;
 
@@ -52,6 +56,42 @@ struct L_shape
   int n;
   Planar_complex complex;
   std::vector<double> x;
+};
+
+/// An n x n grid of squares, as triangles, whose boundary lies on a horseshoe: the lower side along the outer arc, the
+/// upper side along the inner one.
+struct Horseshoe
+{
+  explicit Horseshoe(int n)
+  {
+    for (int j = 0; j <= n; ++j)
+      for (int i = 0; i <= n; ++i) {
+        const double angle = 5.5 * i / n, radius = 1 - 0.6 * j / n;
+        shape.emplace_back(i, j, 0);
+        points.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+        fixed.push_back(i == 0 || j == 0 || i == n || j == n);
+      }
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) {
+        const int a = i + (n + 1) * j, b = a + 1, c = a + n + 1, d = c + 1;
+        triangles.push_back({{a, b, d}});
+        triangles.push_back({{a, d, c}});
+      }
+    area = 0.5 * 5.5 * (1 - 0.4 * 0.4);
+  }
+
+  int inverted(const std::vector<Point_2d>& at) const
+  {
+    return int(std::count_if(triangles.begin(), triangles.end(), [&](const std::array<int, 3>& t) {
+      return !(doubled_area(at[t[0]], at[t[1]], at[t[2]]) > tolerance);
+    }));
+  }
+
+  std::vector<Eigen::Vector3d> shape;
+  std::vector<Point_2d> points;
+  std::vector<char> fixed;
+  Triangles triangles;
+  double area, tolerance = 1e-9;
 };
 
 double unit(std::mt19937_64& random) { return double(random() >> 11) / 9007199254740992.0; }
@@ -159,4 +199,18 @@ TEST(Untangle, says_so_where_a_triangle_has_no_room)
   const int before = c.count_inverted(x.data());
   EXPECT_FALSE(untangle(c, 0.5, x));
   EXPECT_LE(c.count_inverted(x.data()), before);
+}
+
+TEST(Injective_map, of_many_vertices_into_a_horseshoe)
+{
+  const Horseshoe h(60);
+  std::vector<Point_2d> points = h.points;
+  ASSERT_TRUE(mean_value_map(h.triangles, h.shape, h.fixed, points));
+  ASSERT_GT(h.inverted(points), 100);
+  ASSERT_GT(untangle(h.triangles, h.fixed, h.area, h.tolerance, points), 0) << "an easy one, and no test";
+  points = h.points;
+  EXPECT_TRUE(injective_map(h.triangles, h.shape, h.fixed, h.area, h.tolerance, points));
+  EXPECT_EQ(h.inverted(points), 0);
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (h.fixed[v]) EXPECT_EQ(points[v], h.points[v]);
 }

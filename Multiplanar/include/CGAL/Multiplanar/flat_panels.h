@@ -111,9 +111,6 @@ inline std::string note_of_offences(const Input_surface& input, const Panel_sear
   return "smaller than wanted, for the panels could not be flat without: " + some_of(places);
 }
 
-/// Faces of a mesh that merging its panels one by one, under a caller's eyes, takes seconds for, not minutes.
-constexpr int quickly_coarsened = 3000;
-
 /// Changes panels until a caller's obstacles are gone.
 class Panel_rework
 {

@@ -29,6 +29,9 @@ using Model_test = std::function<bool(const Panel_model&)>;
 /// Changes a model so that a mesh can follow it.
 using Model_change = std::function<void(Panel_model&)>;
 
+/// Faces of a mesh that merging its panels one by one takes seconds for, not minutes.
+constexpr int quickly_coarsened = 3000;
+
 class Panel_coarsening
 {
 public:
@@ -43,13 +46,15 @@ public:
   /// A model without faults of at most `k` panels, an accepted one. \return false if none was found
   bool run(int k, Panel_model& m) const
   {
-    for (int pieces = 4 * k; pieces <= c.number_of_faces() && pieces <= 32 * k; pieces *= 2)
+    const int most = (c.number_of_faces() <= quickly_coarsened ? 32 : 8) * k;
+    for (int pieces = 4 * k; pieces <= c.number_of_faces() && pieces <= most; pieces *= 2)
       if (start(pieces, m) && reduce(k, m)) return true;
     return false;
   }
 
 private:
-  /// A faultless model of about so many panels.
+  /// A faultless model of about so many panels. Given up where there are more faults than panels, or where they become
+  /// fewer at less than half the speed that would do.
   bool start(int pieces, Panel_model& m) const
   {
     Face_cost cost(modeller.input(), 0.02);
@@ -61,8 +66,12 @@ private:
     if (!report.ok || !modeller.rebuild(nullptr, no_edit(labels, report.panels), m, touched)) return false;
     Teleport_search repairs(modeller, pieces);
     repairs.local_options = accuracy;
-    for (int i = 0; i < pieces / 4 && m.faults > 0; ++i)
-      if (!repairs.repair_once(m)) return false;
+    const int most = pieces / 4, initial = m.faults;
+    if (initial > pieces) return false;
+    for (int i = 0; i < most && m.faults > 0; ++i) {
+      const bool too_slow = i >= 4 && double(initial - m.faults) < double(initial) * i / most / 2;
+      if (too_slow || !repairs.repair_once(m)) return false;
+    }
     if (mend) mend(m);
     return is_usable(m);
   }

@@ -22,6 +22,48 @@ namespace CGAL {
 namespace Multiplanar {
 namespace internal {
 
+/// The doubled area of a triangle as constant + slope.d for a motion d of one vertex.
+struct Linear_area
+{
+  Point_2d slope;
+  double constant;
+};
+
+/// That of the triangle (p, a, b), whose vertex p moves.
+inline Linear_area linear_area(const Point_2d& p, const Point_2d& a, const Point_2d& b)
+{
+  return {{(a - b).y(), (b - a).x()}, doubled_area(p, a, b)};
+}
+
+/// The smallest area after a motion d.
+inline double least_area(const std::vector<Linear_area>& areas, const Point_2d& d)
+{
+  double worst = (std::numeric_limits<double>::max)();
+  for (const Linear_area& a : areas) worst = (std::min)(worst, a.constant + a.slope.dot(d));
+  return worst;
+}
+
+/// The motion after which the smallest area is largest: three are equal and smallest there. Zero if that gains nothing.
+inline Point_2d best_motion(const std::vector<Linear_area>& areas)
+{
+  const int n = int(areas.size());
+  const double now = least_area(areas, Point_2d::Zero());
+  double best = now + 1e-3 * std::abs(now);
+  Point_2d motion = Point_2d::Zero();
+  for (int i = 0; i < n; ++i)
+    for (int j = i + 1; j < n; ++j)
+      for (int k = j + 1; k < n; ++k) {
+        Eigen::Matrix2d m;
+        m.row(0) = areas[i].slope - areas[j].slope, m.row(1) = areas[i].slope - areas[k].slope;
+        if (m.determinant() == 0) continue;
+        const Point_2d d =
+            m.inverse() * Point_2d(areas[j].constant - areas[i].constant, areas[k].constant - areas[i].constant);
+        const double value = d.allFinite() ? least_area(areas, d) : best;
+        if (value > best) best = value, motion = d;
+      }
+  return motion;
+}
+
 class Local_untangling
 {
 public:
@@ -51,19 +93,11 @@ public:
   }
 
 private:
-  /// The area of a triangle as constant + slope.d for a motion d of one vertex.
-  struct Area
-  {
-    Point_2d slope;
-    double constant;
-  };
-
-  Area area(const std::pair<int, int>& corner) const
+  Linear_area area(const std::pair<int, int>& corner) const
   {
     const auto& t = c.triangles[corner.first];
-    const Point_2d p = c.nodes[t[corner.second]].at(x.data()), a = c.nodes[t[(corner.second + 1) % 3]].at(x.data()),
-                   b = c.nodes[t[(corner.second + 2) % 3]].at(x.data());
-    return {{(a - b).y(), (b - a).x()}, doubled_area(p, a, b)};
+    const auto at = [&](int i) { return c.nodes[t[(corner.second + i) % 3]].at(x.data()); };
+    return linear_area(at(0), at(1), at(2));
   }
 
   bool is_inverted(int t) const
@@ -97,39 +131,17 @@ private:
     return result;
   }
 
-  std::vector<Area> areas_around(int u) const
+  std::vector<Linear_area> areas_around(int u) const
   {
-    std::vector<Area> areas;
+    std::vector<Linear_area> areas;
     for (const auto& corner : around[u]) areas.push_back(area(corner));
     return areas;
   }
 
-  static double least(const std::vector<Area>& areas, const Point_2d& d)
-  {
-    double worst = (std::numeric_limits<double>::max)();
-    for (const Area& a : areas) worst = (std::min)(worst, a.constant + a.slope.dot(d));
-    return worst;
-  }
-
-  /// Moves a free vertex to the best place: three areas are equal and smallest there.
+  /// Moves a free vertex to the best place.
   bool place(int u)
   {
-    const std::vector<Area> areas = areas_around(u);
-    const int n = int(areas.size());
-    const double now = least(areas, Point_2d::Zero());
-    double best = now + 1e-3 * std::abs(now);
-    Point_2d motion = Point_2d::Zero();
-    for (int i = 0; i < n; ++i)
-      for (int j = i + 1; j < n; ++j)
-        for (int k = j + 1; k < n; ++k) {
-          Eigen::Matrix2d m;
-          m.row(0) = areas[i].slope - areas[j].slope, m.row(1) = areas[i].slope - areas[k].slope;
-          if (m.determinant() == 0) continue;
-          const Point_2d d =
-              m.inverse() * Point_2d(areas[j].constant - areas[i].constant, areas[k].constant - areas[i].constant);
-          const double value = d.allFinite() ? least(areas, d) : best;
-          if (value > best) best = value, motion = d;
-        }
+    const Point_2d motion = best_motion(areas_around(u));
     if (motion == Point_2d::Zero()) return false;
     x[u] += motion.x(), x[u + 1] += motion.y();
     return true;
@@ -138,18 +150,18 @@ private:
   /// The same for a vertex on a line, in all the planes that the line lies in: two areas are equal.
   bool slide(int u)
   {
-    std::vector<Area> areas = areas_around(u);
+    std::vector<Linear_area> areas = areas_around(u);
     for (std::size_t i = 0; i < areas.size(); ++i) {
       const auto& corner = around[u][i];
       areas[i].slope = {areas[i].slope.dot(c.nodes[c.triangles[corner.first][corner.second]].along), 0};
     }
-    const double now = least(areas, Point_2d::Zero());
+    const double now = least_area(areas, Point_2d::Zero());
     double best = now + 1e-3 * std::abs(now), motion = 0;
     for (std::size_t i = 0; i < areas.size(); ++i)
       for (std::size_t j = i + 1; j < areas.size(); ++j) {
         const double slope = areas[i].slope.x() - areas[j].slope.x();
         if (slope == 0) continue;
-        const double d = (areas[j].constant - areas[i].constant) / slope, value = least(areas, {d, 0});
+        const double d = (areas[j].constant - areas[i].constant) / slope, value = least_area(areas, {d, 0});
         if (value > best) best = value, motion = d;
       }
     x[u] += motion;
