@@ -13,12 +13,13 @@
 #include <limits>
 #include <map>
 #include <queue>
+#include <set>
 #include <utility>
 #include <vector>
 
-// A map of a triangulated disk into a polygon that is not convex: the polygon is cut along diagonals, one from each of
-// its reflex corners, and the disk along paths of edges between the same vertices. The pieces are convex, where mean
-// value coordinates put every triangle the right way round; see Kraevoy, Sheffer, Gotsman: Matchmaker (2003) for such
+// A map of a triangulated domain into a polygon that is not convex: the polygon is cut along diagonals, from each of its
+// holes and reflex corners, and the domain along paths of edges between the same vertices. The pieces are convex, where
+// mean value coordinates put every triangle the right way round; see Kraevoy, Sheffer, Gotsman: Matchmaker (2003) for such
 // paths. No path has an edge beside it that joins two of its vertices, so that no triangle is flat on a diagonal.
 
 namespace CGAL {
@@ -29,51 +30,76 @@ class Convex_pieces_map
 {
 public:
   /// \param shape the vertices on the model, where lengths and weights are taken from
-  /// \param points the places of all boundary vertices of what is mapped; receives those of the others
-  Convex_pieces_map(const std::vector<Eigen::Vector3d>& shape, std::vector<Point_2d>& points)
+  /// \param points the places of all boundary vertices of what is mapped
+  Convex_pieces_map(const std::vector<Eigen::Vector3d>& shape, const std::vector<Point_2d>& points)
       : shape(shape), points(points), length(points.size(), infinity), previous(points.size(), -1)
   {
   }
 
-  /// Places the inner vertices of a disk. \return false if it is no disk, or no path was found for some corner
+  /// Places the inner vertices of a planar domain. \return false if no paths were found that allow that
   bool run(const Triangles& triangles)
   {
-    std::vector<Triangles> pieces{triangles};
-    while (!pieces.empty()) {
-      const Triangles piece = std::move(pieces.back());
-      pieces.pop_back();
-      const std::vector<int> loop = boundary(piece);
-      if (loop.empty()) return false;
-      const int reflex = sharpest_reflex(loop);
-      if (reflex < 0) {
-        if (!map_convex(piece, loop)) return false;
-        continue;
-      }
-      const std::vector<int> path = cut(piece, loop, reflex);
-      if (path.empty()) return false;
-      place_on_diagonal(path);
-      auto halves = divided(piece, path);
-      if (halves.first.empty() || halves.second.empty()) return false;
-      pieces.push_back(std::move(halves.first));
-      pieces.push_back(std::move(halves.second));
-    }
-    return true;
+    attempts = most_attempts;
+    return map(triangles);
   }
 
+  /// Where the vertices are.
+  const std::vector<Point_2d>& places() const { return points; }
+
 private:
-  /// The boundary of the triangles, counter-clockwise; empty if it is not one simple loop.
-  static std::vector<int> boundary(const Triangles& triangles)
+  using Loop = std::vector<int>;
+
+  /// Maps a piece, cut where it must be. Cuts that lead to a piece without a way on are made elsewhere.
+  bool map(const Triangles& piece)
   {
-    std::map<std::pair<int, int>, int> edges;
+    const std::vector<Loop> loops = boundary(piece);
+    if (loops.empty()) return false;
+    if (loops.size() > 1) return open_hole(piece, loops);
+    const Loop& loop = loops[0];
+    const int reflex = sharpest_reflex(loop);
+    if (reflex < 0) return map_convex(piece, loop);
+    for (const auto& path : cuts(piece, loops, 0, reflex)) {
+      if (--attempts < 0) return false;
+      place_on_diagonal(path);
+      const auto halves = divided(piece, path);
+      if (!halves.first.empty() && !halves.second.empty() && map(halves.first) && map(halves.second)) return true;
+    }
+    return false;
+  }
+
+  /// Joins a hole to another loop by a slit and maps what is left.
+  bool open_hole(const Triangles& piece, const std::vector<Loop>& loops)
+  {
+    const auto smaller = [](const Loop& a, const Loop& b) { return a.size() < b.size(); };
+    const int hole = int(std::min_element(loops.begin(), loops.end(), smaller) - loops.begin());
+    for (int i = 0; i < int(loops[hole].size()); ++i) {
+      if (std::abs(turn(loops[hole], i)) < 0.1) continue; // not a corner
+      for (const auto& path : cuts(piece, loops, hole, i)) {
+        if (--attempts < 0) return false;
+        place_on_diagonal(path);
+        if (map(slit(piece, path))) return true;
+      }
+    }
+    return false;
+  }
+
+  /// The boundary of the triangles, each loop with them on its left; none if two loops meet.
+  static std::vector<Loop> boundary(const Triangles& triangles)
+  {
+    std::set<std::pair<int, int>> edges;
     for (const auto& t : triangles)
-      for (int i = 0; i < 3; ++i) ++edges[{t[i], t[(i + 1) % 3]}];
+      for (int i = 0; i < 3; ++i) edges.insert({t[i], t[(i + 1) % 3]});
     std::map<int, int> next;
     for (const auto& e : edges)
-      if (!edges.count({e.first.second, e.first.first}) && !next.emplace(e.first.first, e.first.second).second) return {};
-    if (next.empty()) return {};
-    std::vector<int> loop{next.begin()->first};
-    for (int v = next.begin()->second; v != loop[0]; v = next.at(v)) loop.push_back(v);
-    return loop.size() == next.size() ? loop : std::vector<int>();
+      if (!edges.count({e.second, e.first}) && !next.emplace(e.first, e.second).second) return {};
+    std::vector<Loop> loops;
+    std::set<int> seen;
+    for (const auto& start : next) {
+      if (!seen.insert(start.first).second) continue;
+      loops.push_back({start.first});
+      for (int v = start.second; v != start.first; v = next.at(v)) loops.back().push_back(v), seen.insert(v);
+    }
+    return loops;
   }
 
   /// By how much the boundary turns to the left at a position of the loop, in (-pi, pi].
@@ -96,84 +122,149 @@ private:
     return sharpest;
   }
 
-  bool map_convex(const Triangles& piece, const std::vector<int>& loop)
+  bool map_convex(const Triangles& piece, const Loop& loop)
   {
     std::vector<char> fixed(points.size(), 1);
     for (const auto& t : piece)
       for (int v : t) fixed[v] = 0;
     for (int v : loop) fixed[v] = 1;
-    return mean_value_map(piece, shape, fixed, points);
+    return balanced_mean_value_map(piece, shape, fixed, points);
   }
 
-  /// The path for the best diagonal from a reflex corner; empty if there is none. The best is short in the polygon, and
-  /// about as long as the path on the model.
-  std::vector<int> cut(const Triangles& piece, const std::vector<int>& loop, int reflex)
+  struct End // of a diagonal
   {
-    const int n = int(loop.size()), from = loop[reflex];
-    find_ways(piece, loop, from);
+    double cost;
+    int loop, position;
+    std::vector<int> path;
+    bool operator<(const End& other) const { return cost < other.cost; }
+  };
+
+  /// The paths for the best diagonals from a corner, to other corners of its loop if there is only that, else to the
+  /// other loops. The best are short in the polygon, and about as long on the model.
+  std::vector<std::vector<int>> cuts(const Triangles& piece, const std::vector<Loop>& loops, int own, int corner)
+  {
+    std::vector<End> ends = diagonals(piece, loops, own, corner, Cut::halving, -1);
+    if (ends.empty()) {
+      const std::vector<int> fan = fan_at(piece, loops[own], corner);
+      for (int i = 0; i < int(fan.size()); ++i) {
+        const Cut kind = i == 0 ? (fan.size() == 1 ? Cut::halving : Cut::leaves_left)
+                                : (i + 1 == int(fan.size()) ? Cut::leaves_right : Cut::any);
+        for (End& end : diagonals(piece, loops, own, corner, kind, fan[i])) ends.push_back(std::move(end));
+      }
+      std::sort(ends.begin(), ends.end());
+    }
+    std::vector<std::vector<int>> result;
+    for (std::size_t i = 0; i < ends.size() && i < most_cuts; ++i) result.push_back(std::move(ends[i].path));
+    return result;
+  }
+
+  /// What is left of a corner of more than 180 degrees after a cut: two angles of less; or, which are cut again, more on
+  /// the left, on the right, or anywhere.
+  enum class Cut
+  {
+    halving,
+    leaves_left,
+    leaves_right,
+    any
+  };
+
+  /// The best diagonals from a corner, with their paths. \param first the vertex that the paths begin with; -1: any
+  std::vector<End> diagonals(const Triangles& piece, const std::vector<Loop>& loops, int own, int corner, Cut kind,
+                             int first)
+  {
+    const int from = loops[own][corner];
+    find_ways(piece, loops, from, first);
     double polygon = 0, model = 0;
-    for (int i = 0; i < n; ++i) {
-      polygon += (points[loop[i]] - points[loop[(i + 1) % n]]).norm();
-      model += (shape[loop[i]] - shape[loop[(i + 1) % n]]).norm();
-    }
-    std::vector<std::pair<double, int>> ends; // cost, position
-    for (int i = 0; i < n; ++i) {
-      if (length[loop[i]] == infinity || i == reflex) continue;
-      const double l = (points[loop[i]] - points[from]).norm(), way = length[loop[i]] * polygon / model;
-      const double ratio = (std::max)(l, way) / (std::max)((std::min)(l, way), 1e-300);
-      ends.emplace_back(l * ratio * ratio, i);
-    }
+    for (const Loop& loop : loops)
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const int a = loop[i], b = loop[(i + 1) % loop.size()];
+        polygon += (points[a] - points[b]).norm();
+        model += (shape[a] - shape[b]).norm();
+      }
+    std::vector<End> ends;
+    for (int l = 0; l < int(loops.size()); ++l)
+      for (int i = 0; i < int(loops[l].size()); ++i) {
+        const int to = loops[l][i];
+        if (to == from || length[to] == infinity || (l == own && loops.size() > 1)) continue;
+        const double direct = (points[to] - points[from]).norm(), way = length[to] * polygon / model;
+        const double ratio = (std::max)(direct, way) / (std::max)((std::min)(direct, way), 1e-9 * polygon);
+        ends.push_back({direct * ratio * ratio, l, i, {}});
+      }
     std::sort(ends.begin(), ends.end());
-    for (const bool convex : {true, false}) // are both angles at the corner less than 180 degrees then?
-      for (const auto& end : ends)
-        if (is_diagonal(loop, reflex, end.second, convex)) return way_to(loop[end.second], from);
-    return {};
+    std::vector<End> result;
+    for (const End& end : ends) {
+      if (result.size() == most_cuts) break;
+      if (!is_diagonal(loops, own, corner, end.loop, end.position, kind)) continue;
+      result.push_back(end);
+      result.back().path = way_to(loops[end.loop][end.position], from);
+    }
+    return result;
+  }
+
+  /// The neighbours of a corner across edges that are not of the boundary, from its outgoing side to the left.
+  static std::vector<int> fan_at(const Triangles& piece, const Loop& loop, int corner)
+  {
+    const int v = loop[corner];
+    std::map<int, int> next;
+    for (const auto& t : piece)
+      for (int i = 0; i < 3; ++i)
+        if (t[i] == v) next[t[(i + 1) % 3]] = t[(i + 2) % 3];
+    std::vector<int> fan;
+    for (auto w = next.find(loop[(std::size_t(corner) + 1) % loop.size()]); w != next.end(); w = next.find(w->second))
+      fan.push_back(w->second);
+    if (!fan.empty()) fan.pop_back(); // the incoming side
+    return fan;
   }
 
   /// Does the segment between two corners lie inside the polygon, with a little room at its ends?
-  bool is_diagonal(const std::vector<int>& loop, int a, int b, bool convex) const
+  bool is_diagonal(const std::vector<Loop>& loops, int loop_a, int a, int loop_b, int b, Cut kind) const
   {
-    const int n = int(loop.size());
-    if ((a + 1) % n == b || (b + 1) % n == a) return false;
-    if (!leaves_inside(loop, a, b, convex) || !leaves_inside(loop, b, a, false)) return false;
-    const Point_2d &p = points[loop[a]], &q = points[loop[b]];
-    for (int i = 0; i < n; ++i) {
-      const int j = (i + 1) % n;
-      if (i == a || i == b || j == a || j == b) continue;
-      const Point_2d &r = points[loop[i]], &s = points[loop[j]];
-      const double d1 = doubled_area(p, q, r), d2 = doubled_area(p, q, s), d3 = doubled_area(r, s, p),
-                   d4 = doubled_area(r, s, q);
-      if ((d1 > 0) != (d2 > 0) && (d3 > 0) != (d4 > 0)) return false;
-    }
+    const int from = loops[loop_a][a], to = loops[loop_b][b];
+    if (!leaves_inside(loops[loop_a], a, to, kind) || !leaves_inside(loops[loop_b], b, from, Cut::any)) return false;
+    const Point_2d &p = points[from], &q = points[to];
+    for (const Loop& loop : loops)
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const int v = loop[i], w = loop[(i + 1) % loop.size()];
+        if (v == from || v == to || w == from || w == to) continue;
+        const Point_2d &r = points[v], &s = points[w];
+        if ((doubled_area(p, q, r) > 0) != (doubled_area(p, q, s) > 0) &&
+            (doubled_area(r, s, p) > 0) != (doubled_area(r, s, q) > 0))
+          return false;
+      }
     return true;
   }
 
-  /// Does the way from position `a` to `b` begin inside the angle at `a`? \param convex with less than 180 degrees on
-  /// either side
-  bool leaves_inside(const std::vector<int>& loop, int a, int b, bool convex) const
+  /// Does the way from position `a` to the vertex `to` begin inside the angle at `a`, and leave what is wanted?
+  bool leaves_inside(const Loop& loop, int a, int to, Cut kind) const
   {
     const int n = int(loop.size());
-    const Point_2d out = points[loop[(a + 1) % n]] - points[loop[a]], way = points[loop[b]] - points[loop[a]];
+    const Point_2d out = points[loop[(a + 1) % n]] - points[loop[a]], way = points[to] - points[loop[a]];
     const double inside = pi - turn(loop, a);
     double angle = std::atan2(out.x() * way.y() - out.y() * way.x(), out.dot(way)); // from the outgoing side to the left
     if (angle < 0) angle += 2 * pi;
     const double room = (std::min)(0.05, inside / 8);
     if (angle < room || angle > inside - room) return false;
-    return !convex || (angle < pi - straight && inside - angle < pi - straight);
+    const bool right = angle < pi - straight, left = inside - angle < pi - straight; // are these angles small enough?
+    return (right || kind == Cut::leaves_right || kind == Cut::any) &&
+           (left || kind == Cut::leaves_left || kind == Cut::any);
   }
 
   /// The lengths of the shortest paths on the model through inner vertices of the piece, in `length`, and their last
-  /// vertices but one, in `previous`.
-  void find_ways(const Triangles& piece, const std::vector<int>& loop, int from)
+  /// vertices but one, in `previous`. \param first the vertex that they begin with; -1: any
+  void find_ways(const Triangles& piece, const std::vector<Loop>& loops, int from, int first)
   {
     for (int v : reached) length[v] = infinity;
     reached.assign(1, from);
-    std::map<int, std::vector<int>> neighbours;
+    near.clear();
     for (const auto& t : piece)
-      for (int i = 0; i < 3; ++i) neighbours[t[i]].push_back(t[(i + 1) % 3]);
-    const int n = int(loop.size());
-    std::map<int, int> position;
-    for (int i = 0; i < n; ++i) position[loop[i]] = i;
+      for (int i = 0; i < 3; ++i) near[t[i]].push_back(t[(i + 1) % 3]);
+    std::set<int> boundary;
+    std::set<std::pair<int, int>> along;
+    for (const Loop& loop : loops)
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        boundary.insert(loop[i]);
+        along.insert(std::minmax(loop[i], loop[(i + 1) % loop.size()]));
+      }
     using Entry = std::pair<double, int>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
     length[from] = 0;
@@ -181,12 +272,9 @@ private:
     while (!queue.empty()) {
       const auto [l, a] = queue.top();
       queue.pop();
-      if (l > length[a] || (a != from && position.count(a))) continue;
-      for (int b : neighbours[a]) {
-        if (a == from && position.count(b)) { // along the boundary, or straight across
-          const int gap = std::abs(position[a] - position[b]);
-          if (gap == 1 || gap == n - 1) continue;
-        }
+      if (l > length[a] || (a != from && boundary.count(a))) continue;
+      for (int b : near[a]) {
+        if (along.count(std::minmax(a, b)) || (a == from && first >= 0 && b != first)) continue;
         const double next = l + (shape[a] - shape[b]).norm();
         if (next >= length[b]) continue;
         if (length[b] == infinity) reached.push_back(b);
@@ -195,7 +283,6 @@ private:
         queue.emplace(next, b);
       }
     }
-    near = std::move(neighbours);
   }
 
   /// The path found, from `from` to `to`, without detours: none of its vertices are joined by an edge beside it.
@@ -255,15 +342,52 @@ private:
     return result;
   }
 
+  /// The triangles of a piece with the vertices of a path doubled, those on its left having the new ones.
+  Triangles slit(const Triangles& piece, const std::vector<int>& path)
+  {
+    std::map<std::pair<int, int>, int> owner;
+    std::set<std::pair<int, int>> on_path;
+    for (int t = 0; t < int(piece.size()); ++t)
+      for (int i = 0; i < 3; ++i) owner[{piece[t][i], piece[t][(i + 1) % 3]}] = t;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) on_path.insert(std::minmax(path[i], path[i + 1]));
+    Triangles result = piece;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      const int v = path[i], copy = int(points.size());
+      std::vector<int> stack{owner.at(i + 1 < path.size() ? std::make_pair(v, path[i + 1]) : std::make_pair(path[i - 1], v))};
+      std::set<int> left(stack.begin(), stack.end());
+      while (!stack.empty()) { // round the vertex, as far as the path and the boundary let it
+        const auto& t = piece[stack.back()];
+        stack.pop_back();
+        for (int j = 0; j < 3; ++j) {
+          const int a = t[j], b = t[(j + 1) % 3];
+          const auto across = owner.find({b, a});
+          if ((a != v && b != v) || on_path.count(std::minmax(a, b)) || across == owner.end()) continue;
+          if (left.insert(across->second).second) stack.push_back(across->second);
+        }
+      }
+      for (int t : left) std::replace(result[t].begin(), result[t].end(), v, copy);
+      const Point_2d place = points[v];
+      const Eigen::Vector3d form = shape[v];
+      points.push_back(place);
+      shape.push_back(form);
+      length.push_back(infinity);
+      previous.push_back(-1);
+    }
+    return result;
+  }
+
+  static constexpr std::size_t most_cuts = 6; ///< tried from one corner
+  static constexpr int most_attempts = 100;   ///< cuts tried altogether
   static constexpr double infinity = (std::numeric_limits<double>::max)();
   static constexpr double pi = 3.14159265358979323846;
   static constexpr double straight = 1e-6; ///< an angle that counts as none
 
-  const std::vector<Eigen::Vector3d>& shape;
-  std::vector<Point_2d>& points;
+  std::vector<Eigen::Vector3d> shape;
+  std::vector<Point_2d> points; // those of the caller, then copies along slits
   std::vector<double> length;
   std::vector<int> previous, reached;
   std::map<int, std::vector<int>> near;
+  int attempts = 0;
 };
 
 } // namespace internal

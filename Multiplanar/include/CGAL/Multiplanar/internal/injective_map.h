@@ -8,6 +8,7 @@
 #include <CGAL/Multiplanar/internal/convex_pieces_map.h>
 
 #include <cmath>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -71,8 +72,9 @@ inline bool injective_map(const Triangles& triangles, const std::vector<Eigen::V
   mean_value_map(triangles, shape, fixed, points);
   const int inverted = untangle(triangles, fixed, polygon_area, tolerance, points);
   if (inverted == 0) return true;
-  std::vector<Point_2d> other = points;
-  if (!Convex_pieces_map(shape, other).run(triangles)) return false;
+  Convex_pieces_map pieces(shape, points);
+  if (!pieces.run(triangles)) return false;
+  std::vector<Point_2d> other(pieces.places().begin(), pieces.places().begin() + std::ptrdiff_t(points.size()));
   const int left = untangle(triangles, fixed, polygon_area, tolerance, other);
   if (left < inverted) points = std::move(other);
   return left == 0;

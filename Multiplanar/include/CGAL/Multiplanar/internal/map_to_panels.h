@@ -5,6 +5,7 @@
 #define CGAL_MULTIPLANAR_INTERNAL_MAP_TO_PANELS_H
 
 #include <CGAL/Multiplanar/make_panel_complex.h>
+#include <CGAL/Multiplanar/internal/flat_ears.h>
 #include <CGAL/Multiplanar/internal/panel_targets.h>
 #include <CGAL/Multiplanar/internal/slide_boundaries.h>
 #include <CGAL/Multiplanar/internal/transfer_geometry.h>
@@ -17,8 +18,8 @@
 #include <vector>
 
 // Not every triangulation can be drawn in every polygon: a face with two sides on the boundary cannot lie at a corner
-// with an angle over 180 degrees, and an edge across the panel needs its ends to see each other. What fails is mended
-// in two ways. The vertices of a chain slide along their edge; and faces along the boundary are given to the panel
+// with an angle over 180 degrees (see flat_ears.h, which comes first), and an edge across the panel needs its ends to see
+// each other. What fails is mended in two ways. The vertices of a chain slide along their edge; and faces along the boundary are given to the panel
 // across it, or get company from there, as long as the complex stays the same: corners, edges and panels, only the mesh
 // vertices that they stand on may change.
 
@@ -38,6 +39,7 @@ public:
   {
     state.labels = std::move(labels);
     state.complex = std::move(complex);
+    changes = mend_flat_ears(c, shape, state.labels, state.complex);
     std::vector<int> failed;
     state.targets = panel_targets(c, shape, state.labels, state.complex, failed);
     for (int p = 0; p < state.complex.number_of_panels(); ++p) state.inverted.push_back(count_inverted(state, p));

@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -39,9 +41,11 @@ inline std::vector<std::array<double, 3>> half_angle_tangents(const Triangles& t
 }
 
 /// Places the free vertices at the mean-value average of their neighbours. Sparse LU: the weights are not symmetric.
+/// \param pull by vertex, what the weights towards it are multiplied by; empty: 1
 /// \return false if the system is singular
 inline bool mean_value_map(const Triangles& triangles, const std::vector<Eigen::Vector3d>& shape,
-                           const std::vector<char>& fixed, std::vector<Point_2d>& points)
+                           const std::vector<char>& fixed, std::vector<Point_2d>& points,
+                           const std::vector<double>& pull = {})
 {
   std::vector<int> unknown(points.size(), -1);
   int n = 0;
@@ -54,7 +58,7 @@ inline bool mean_value_map(const Triangles& triangles, const std::vector<Eigen::
   const auto add = [&](int i, int j, double tangent) {
     const int row = unknown[i];
     if (row < 0) return;
-    const double w = tangent / (std::max)((shape[j] - shape[i]).norm(), 1e-12);
+    const double w = tangent / (std::max)((shape[j] - shape[i]).norm(), 1e-12) * (pull.empty() ? 1 : pull[j]);
     entries.emplace_back(row, row, w);
     if (unknown[j] >= 0) entries.emplace_back(row, unknown[j], -w);
     else right.row(row) += w * points[j].transpose();
@@ -72,6 +76,47 @@ inline bool mean_value_map(const Triangles& triangles, const std::vector<Eigen::
   if (!solution.allFinite()) return false;
   for (std::size_t v = 0; v < points.size(); ++v)
     if (unknown[v] >= 0) points[v] = solution.row(unknown[v]).transpose();
+  return true;
+}
+
+/// The doubled area of the smallest triangle in relation to the mean, the polygon being convex or the map injective.
+inline double smallest_share(const Triangles& triangles, const std::vector<Point_2d>& points)
+{
+  double least = (std::numeric_limits<double>::max)(), sum = 0;
+  for (const auto& t : triangles) {
+    const double area = doubled_area(points[t[0]], points[t[1]], points[t[2]]);
+    least = (std::min)(least, area);
+    sum += area;
+  }
+  return least * double(triangles.size()) / sum;
+}
+
+/// The mean value map of a convex polygon, and where it makes triangles very small, as it does with what stands out of
+/// the panel far, maps with weights that pull less towards vertices whose triangles are small (Yoshizawa, Belyaev,
+/// Seidel: A fast and simple stretch-minimizing mesh parameterization, 2004). All of them are injective.
+inline bool balanced_mean_value_map(const Triangles& triangles, const std::vector<Eigen::Vector3d>& shape,
+                                    const std::vector<char>& fixed, std::vector<Point_2d>& points)
+{
+  if (!mean_value_map(triangles, shape, fixed, points)) return false;
+  std::vector<Point_2d> best = points;
+  std::vector<double> pull(points.size(), 1);
+  double share = smallest_share(triangles, points);
+  for (int round = 0; round < 16 && share < 1e-4; ++round) {
+    std::vector<double> flat(points.size(), 0), form(points.size(), 0);
+    for (const auto& t : triangles) {
+      const double area = doubled_area(points[t[0]], points[t[1]], points[t[2]]);
+      const double model = (shape[t[1]] - shape[t[0]]).cross(shape[t[2]] - shape[t[0]]).norm();
+      for (int v : t) flat[v] += area, form[v] += model;
+    }
+    for (std::size_t v = 0; v < points.size(); ++v)
+      if (flat[v] > 0 && form[v] > 0) pull[v] *= std::sqrt(flat[v] / form[v]);
+    const double most = *std::max_element(pull.begin(), pull.end());
+    for (double& w : pull) w = (std::max)(w / most, 1e-12);
+    if (!mean_value_map(triangles, shape, fixed, points, pull)) break;
+    const double next = smallest_share(triangles, points);
+    if (next > share) share = next, best = points;
+  }
+  points = std::move(best);
   return true;
 }
 
