@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Builds the program and tests with AddressSanitizer and UndefinedBehaviorSanitizer and runs them.
 # Usage: test/sanitize.sh [TARGETS...]    (tests; default: those of readers, fuzzing and repair, and one `make`)
-# BUILD: the build folder (build-sanitize beside test/). Any report of a sanitizer ends the run with an error.
+# BUILD: the build folder (build-sanitize beside test/); JOBS: files compiled at a time (1). Any report of a
+# sanitizer ends the run with an error.
 set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${BUILD:-$top/build-sanitize}
@@ -10,7 +11,7 @@ build=${BUILD:-$top/build-sanitize}
 cmake -G Ninja -S "$top" -B "$build" -DCMAKE_BUILD_TYPE=None -DMULTIPLANAR_EXAMPLES=OFF \
       -DCMAKE_CXX_COMPILER_LAUNCHER=ccache \
       -DCMAKE_CXX_FLAGS="-O1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer" > /dev/null
-cmake --build "$build" --target multiplanar "$@"
+cmake --build "$build" -j "${JOBS:-1}" --target multiplanar "$@" # a file takes up to 3 GB
 
 export ASAN_OPTIONS=allocator_may_return_null=0:detect_leaks=0:exitcode=99 UBSAN_OPTIONS=print_stacktrace=1:exitcode=99
 for test; do

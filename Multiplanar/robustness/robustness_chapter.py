@@ -29,9 +29,10 @@ def count(lines, result):
 def main(table, chapter):
     with open(table, newline="") as file:
         lines = list(csv.DictReader(file, delimiter="\t", quoting=csv.QUOTE_NONE))
-    kept, refused = count(lines, "kept"), count(lines, "refused")
-    text = ["%d meshes: %d kept all promises, %d were refused with the right message, %d broke a promise.\n"
-            % (len(lines), kept, refused, len(lines) - kept - refused)]
+    kept, refused, not_found = (count(lines, result) for result in ("kept", "refused", "not found"))
+    text = ["%d meshes: %d kept all promises, %d were refused with the right message, for %d no flat panels were found "
+            "and a message says so, %d broke a promise.\n"
+            % (len(lines), kept, refused, not_found, len(lines) - kept - refused - not_found)]
     heads = ["mesh", "faces", "genus", "k", "panels", "Hausdorff %", "seconds", "MB", "result", "remark"]
     text.append("| " + " | ".join(heads).replace("%", "\\%") + " |")
     text.append("|" + "|".join(["---"] + ["---:"] * 7 + ["---"] * 2) + "|")

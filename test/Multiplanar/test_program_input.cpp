@@ -312,3 +312,9 @@ TEST_F(Program_input, mutilated_files_never_crash)
       EXPECT_EQ(outcome.error_lines(), outcome.code == 0 ? 0 : 1) << outcome.err;
     }
 }
+
+TEST_F(Program_input, too_few_panels_for_what_is_possible_are_said_so)
+{
+  // Seven flat faces can make a torus (Szilassi), but not one of this shape.
+  expect_refusal("torus.off", off_text(torus(12, 8)), {"no 7 flat panels were found", "genus 1", "192 faces", "-k"}, "7");
+}
