@@ -227,6 +227,7 @@ public:
     if (!modeller.rebuild(nullptr, no_edit(labels, panels), m, touched)) return false;
     Teleport_search t(modeller, options.max_panels, 1);
     t.local_options = accuracy();
+    if (m.faults > hopeless_faults * panels) return false;
     for (int round = 0; round < 2; ++round) {
       while (m.faults > 0 && t.repair_once(m)) {
       }
@@ -237,6 +238,9 @@ public:
   }
 
 private:
+  /// Faults for each panel of a start that repairs would take minutes for, and not mend.
+  static constexpr int hopeless_faults = 4;
+
   /// Chains of improvements and kicks; in the end the best is first.
   void search(std::vector<Panel_model>& models)
   {

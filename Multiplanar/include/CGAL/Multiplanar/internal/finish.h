@@ -149,11 +149,12 @@ inline bool merge_panel(const Connectivity& c, const Points& source, const Label
 }
 
 /// How much is done for panels that the mesh fits into before it is given up. What is asked about them costs time in
-/// proportion to the faces.
+/// proportion to the faces, a round in proportion to the panels as well.
 struct Patience
 {
-  explicit Patience(int faces)
-      : questions((std::max)(24, 1200000 / faces)), rounds(faces <= 10000 ? 6 : 2), last_resort(faces <= 10000)
+  Patience(int faces, int panels)
+      : questions((std::max)(24, 1200000 / faces)),
+        rounds(int((std::min)(6.0, (std::max)(1.0, 1.6e6 / (double(faces) * panels))))), last_resort(faces <= 10000)
   {
   }
 
@@ -177,7 +178,7 @@ inline Flat_panels_result flat_panels_or_fewer(const Connectivity& c, const Poin
     candidate.companion = mapping;
     return mapping->failed();
   };
-  Patience patience(c.number_of_faces());
+  Patience patience(c.number_of_faces(), options.max_panels);
   Flat_panels_result flat;
   const auto attempt = [&](const std::vector<std::vector<int>>& starts) {
     options.max_questions = (std::max)(1, patience.questions);
