@@ -32,6 +32,9 @@ using Model_change = std::function<void(Panel_model&)>;
 /// Faces of a mesh that merging its panels one by one takes seconds for, not minutes.
 constexpr int quickly_coarsened = 3000;
 
+/// Pieces that a larger mesh is divided into at most.
+constexpr int most_pieces = 1280;
+
 class Panel_coarsening
 {
 public:
@@ -46,7 +49,7 @@ public:
   /// A model without faults of at most `k` panels, an accepted one. \return false if none was found
   bool run(int k, Panel_model& m) const
   {
-    const int most = (c.number_of_faces() <= quickly_coarsened ? 32 : 8) * k;
+    const int most = c.number_of_faces() <= quickly_coarsened ? 32 * k : (std::min)(8 * k, most_pieces);
     for (int pieces = 4 * k; pieces <= c.number_of_faces() && pieces <= most; pieces *= 2)
       if (start(pieces, m) && reduce(k, m)) return true;
     return false;
