@@ -315,6 +315,7 @@ TEST_F(Program_input, mutilated_files_never_crash)
 
 TEST_F(Program_input, too_few_panels_for_what_is_possible_are_said_so)
 {
-  // Seven flat faces can make a torus (Szilassi), but not one of this shape.
-  expect_refusal("torus.off", off_text(torus(12, 8)), {"no 7 flat panels were found", "genus 1", "192 faces", "-k"}, "7");
+  // Seven flat faces can make a torus (Szilassi), but not one as thin as this.
+  expect_refusal("ring.off", off_text(torus(24, 3, 1, 0.1)), {"no 7 flat panels were found", "genus 1", "144 faces", "-k"},
+                 "7");
 }
