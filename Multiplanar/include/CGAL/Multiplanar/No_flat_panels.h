@@ -19,6 +19,7 @@ of work. With more panels, another seed or fewer triangles they may be; `what()`
 class No_flat_panels : public std::runtime_error
 {
 public:
+  /// For so many panels asked for, and a surface of that genus and number of triangles.
   No_flat_panels(int panels, int genus, int faces)
       : std::runtime_error("no " + std::to_string(panels) + " flat panels were found that this surface of genus " +
                            std::to_string(genus) + " and " + std::to_string(faces) +
