@@ -13,7 +13,8 @@ cmake -G Ninja -S "$top" -B "$build" -DCMAKE_BUILD_TYPE=None -DMULTIPLANAR_EXAMP
       -DCMAKE_CXX_FLAGS="-O1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer" > /dev/null
 cmake --build "$build" -j "${JOBS:-1}" --target multiplanar "$@" # a file takes up to 3 GB
 
-export ASAN_OPTIONS=allocator_may_return_null=0:detect_leaks=0:exitcode=99 UBSAN_OPTIONS=print_stacktrace=1:exitcode=99
+export ASAN_OPTIONS=allocator_may_return_null=0:detect_leaks=0:exitcode=99
+export UBSAN_OPTIONS=print_stacktrace=1:exitcode=99:suppressions=$top/test/ubsan_suppressions.txt
 for test; do
   "$build/bin/$test"
 done
