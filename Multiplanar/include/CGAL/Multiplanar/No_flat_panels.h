@@ -20,10 +20,13 @@ class No_flat_panels : public std::runtime_error
 {
 public:
   /// For so many panels asked for, and a surface of that genus and number of triangles.
-  No_flat_panels(int panels, int genus, int faces)
-      : std::runtime_error("no " + std::to_string(panels) + " flat panels were found that this surface of genus " +
-                           std::to_string(genus) + " and " + std::to_string(faces) +
-                           " faces fits into: give more panels (-k), another seed, or a mesh with fewer faces")
+  /// \param fewest that were found to fit; 0: not known
+  No_flat_panels(int panels, int genus, int faces, int fewest = 0)
+      : std::runtime_error(
+            "no " + std::to_string(panels) + " flat panels were found that this surface of genus " +
+            std::to_string(genus) + " and " + std::to_string(faces) + " faces fits into" +
+            (fewest > panels ? "; the fewest found are " + std::to_string(fewest) : std::string()) +
+            ": give more panels (-k), another seed, or a mesh with fewer faces")
   {
   }
 };

@@ -37,6 +37,7 @@ struct Flat_panels_options
   double thickness = 0;           ///< of the sheets, in diagonals: edges should have room for joints; 0: they need not
   int max_questions = 0;          ///< asked about obstacles, but for those of a last resort; 0: any number
   bool last_resort = false;       ///< try panels merged from many small ones however large the mesh: that can take long
+  bool merge_triangles = false;   ///< look at no partition, but merge the triangles of the mesh: slow, and fails least
   std::vector<double> importance; ///< by face: a distance there counts so many times, e.g. 1 + W s; empty: once
 };
 
@@ -45,6 +46,10 @@ struct Flat_panels_result;
 /// Tells which panels of a result the caller cannot use, worst first; none if all is well. Asked of several results at
 /// once, in different threads. It may leave something with the result that it is asked of (`companion`).
 using Flat_panels_obstacles = std::function<std::vector<int>(Flat_panels_result&)>;
+
+/// Whether a caller can use a result as it is. It may say no where `Flat_panels_obstacles` would find a way, but is fast
+/// for results that are mostly the same.
+using Flat_panels_check = std::function<bool(const Flat_panels_result&)>;
 
 /// Exactly flat panels near a model.
 struct Flat_panels_result
@@ -58,6 +63,7 @@ struct Flat_panels_result
   double hausdorff_error = 0;      ///< how far these may exceed what is attained
   double mean = 0;                 ///< mean distance of the source from the panels
   double obstacle_seconds = 0;     ///< until no obstacles were left
+  int fewest = 0;                  ///< if triangles were merged: the number of panels left where no more could be
   int questions = 0;               ///< asked about obstacles, but for those of a last resort
   std::shared_ptr<void> companion; ///< what the caller's obstacles left with this result; nobody else looks at it
   std::vector<std::string> notes;  ///< where accuracy was given up, a sentence each
@@ -161,6 +167,29 @@ public:
     return true;
   }
 
+  /// The way for a mesh that no partition leads to panels for: its triangles are merged.
+  /// \param check asked of every step
+  /// \return false if that does not lead to few panels; `result.fewest` tells to how many
+  bool merge_triangles(const Flat_panels_check& check, Panel_model& model, Flat_panels_result& result)
+  {
+    const auto accepted = [&](const Panel_model& m) {
+      const Flat_panels_result r = result_of(c, source, in, m);
+      return r.ok && (!check || check(r));
+    };
+    int fewest = 0;
+    Panel_model merged;
+    Trial trial;
+    if (search.merged_from_triangles(accepted, merged, fewest)) attempt(merged, trial);
+    result.fewest = fewest;
+    if (!trial.result.ok || !trial.blocked.empty()) return false;
+    model = std::move(merged);
+    result = std::move(trial.result);
+    regain(0, model, result);
+    result.fewest = fewest;
+    search.notes.push_back("no partition could be made flat: panels were merged from the triangles of the mesh");
+    return true;
+  }
+
 private:
   struct Trial
   {
@@ -205,8 +234,9 @@ private:
   void regain(double cost, Panel_model& model, Flat_panels_result& result)
   {
     Panel_model next = model;
-    for (int failures = 0;
-         failures < max_failures && left > 0 && model.cost() > 1.02 * cost && search.improve_once(next); --left) {
+    for (int failures = 0, steps = 0; failures < max_failures && steps < max_steps && left > 0 &&
+                                      model.cost() > 1.02 * cost && search.improve_once(next);
+         --left, ++steps) {
       Trial trial;
       attempt(next, trial);
       if (trial.result.ok && trial.blocked.empty()) model = next, result = std::move(trial.result), failures = 0;
@@ -220,7 +250,7 @@ private:
     if (trial.result.ok) trial.blocked = obstacles(trial.result);
   }
 
-  static constexpr int max_rounds = 16, max_places = 4, max_trials = 12, max_failures = 4;
+  static constexpr int max_rounds = 16, max_places = 4, max_trials = 12, max_failures = 4, max_steps = 200;
 
   const Connectivity& c;
   const Points& source;
@@ -242,6 +272,7 @@ Finds at most k exactly flat panels near a closed triangle mesh.
 \param options see `Flat_panels_options`
 \param progress called now and then
 \param obstacles asked of the result; where it names panels, they are changed or merged and it is asked again
+\param check a fast form of `obstacles`, asked of the many steps of `options.merge_triangles`
 
 The result is a closed polygon mesh without intersections, with the combinatorics of `panel_of_face`; corners lie in the
 planes of their panels to 1e-12 of the diagonal. If `ok` is false, no partition could be made so.
@@ -249,7 +280,8 @@ planes of their panels to 1e-12 of the diagonal. If `ok` is false, no partition 
 inline Flat_panels_result flat_panels(const internal::Connectivity& c, const Points& source,
                                       const std::vector<std::vector<int>>& partitions,
                                       const Flat_panels_options& options, const Flat_panels_progress& progress = {},
-                                      const Flat_panels_obstacles& obstacles = {})
+                                      const Flat_panels_obstacles& obstacles = {},
+                                      const Flat_panels_check& check = {})
 {
   CGAL_precondition(int(source.size()) == c.number_of_vertices());
   internal::Panel_search_options search_options;
@@ -268,6 +300,14 @@ inline Flat_panels_result flat_panels(const internal::Connectivity& c, const Poi
   internal::Panel_search search(input, search_options, progress);
   internal::Panel_model model;
   Flat_panels_result result;
+  if (options.merge_triangles) {
+    const Flat_panels_obstacles none = [](Flat_panels_result&) { return std::vector<int>(); };
+    internal::Panel_rework rework(c, source, input, search, obstacles ? obstacles : none, 64);
+    result.ok = rework.merge_triangles(check, model, result);
+    if (result.ok) internal::measure_panels(c, source, input.scale, result);
+    result.notes = search.notes;
+    return result;
+  }
   if (!search.run(partitions, model)) {
     result.notes = search.notes;
     return result;

@@ -9,12 +9,14 @@
 #include <CGAL/Multiplanar/internal/accuracy_steps.h>
 #include <CGAL/Multiplanar/internal/first_fit.h>
 #include <CGAL/Multiplanar/internal/cutting_limits.h>
+#include <CGAL/Multiplanar/internal/free_pieces.h>
 #include <CGAL/Multiplanar/internal/label_edits.h>
 #include <CGAL/Multiplanar/internal/trace_topology.h>
 
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <numeric>
 #include <unordered_map>
 #include <vector>
 
@@ -38,9 +40,12 @@ public:
   /// The model of an edited labelling. Panels that exist before and after keep their planes; corners likewise. What is
   /// new is fitted, with `refit` and every panel around a new corner free.
   /// \param old the model before, or null: everything is new
+  /// Panels that are free in different places are fitted apart.
   /// \param touched receives the panels that were free
-  /// \return false if the labels cannot be made flat, or the fit fails
-  bool rebuild(const Panel_model* old, const Label_edit& edit, Panel_model& m, std::vector<char>& touched) const
+  /// \param unfit if given, receives all free panels where a fit failed, in place of those of the first only
+  /// \return false if the labels cannot be made flat, or a fit fails
+  bool rebuild(const Panel_model* old, const Label_edit& edit, Panel_model& m, std::vector<char>& touched,
+               std::vector<int>* unfit = nullptr) const
   {
     const int n = int(edit.old_panel.size());
     if (n < 4) return false;
@@ -56,10 +61,34 @@ public:
     place_planes(old, edit, refit, m);
     place_corners(old, edit, refit, m, touched);
     put_outer_loops_first(m, *topology);
-    Plane_corner_system system(*topology, touched);
-    if (!first_fit(m.moments, system, refit, m.state, 0.3 / double(system.free_corners().size() + 1))) return false;
-    make_surface(old, edit, system, m);
-    carry_distances(old, edit, system, m);
+    if (!fit(m.moments, *topology, touched, refit, m.state, unfit)) return false;
+    const std::vector<char> changed = changed_panels(m, touched);
+    make_surface(old, edit, changed, m);
+    carry_distances(old, edit, changed, m);
+    return true;
+  }
+
+  /// The model with a panel for every triangle: the input as it is, nothing fitted.
+  /// \return false if that is not realisable
+  bool of_triangles(Panel_model& m) const
+  {
+    const int n = c.number_of_faces();
+    const Label_edit edit = no_edit(identity(n), n);
+    auto topology = std::make_shared<Complex_topology>();
+    m = Panel_model();
+    m.labels = edit.labels;
+    if (!Topology_tracer(c, m.labels, n).trace(*topology, m.corner_vertex)) return false;
+    m.topology = topology;
+    m.moments = face_moments;
+    for (int v : m.corner_vertex) m.state.corner.push_back(in.points[v]);
+    for (int f = 0; f < n; ++f) {
+      const auto& t = c.triangles[f];
+      m.state.normal.push_back(face_moments[f].normal.normalized());
+      m.state.offset.push_back(m.state.normal[f].dot(in.points[t[0]]));
+    }
+    make_surface(nullptr, edit, std::vector<char>(n, 1), m);
+    m.r.assign(in.samples.size(), 0);
+    m.near_panel.assign(in.samples.size(), -1);
     return true;
   }
 
@@ -108,12 +137,49 @@ public:
   bool is_short(const Panel_model& m, const Complex_topology::Edge& e) const { return limits.is_short(m.state, e); }
   bool is_narrow(const Panel_model& m, int p) const { return limits.is_narrow(m.topology->loops[p], m.state, p); }
 
+  /// How far a corner is from its vertex of the mesh.
+  double displacement(const Panel_model& m, int corner) const
+  {
+    return (m.state.corner[corner] - in.points[m.corner_vertex[corner]]).norm();
+  }
+
+  double largest_displacement(const Panel_model& m) const
+  {
+    double result = 0;
+    for (int i = 0; i < m.topology->number_of_corners(); ++i) result = (std::max)(result, displacement(m, i));
+    return result;
+  }
+
   double sample_spacing() const { return spacing; }
   const Input_surface& input() const { return in; }
   const Connectivity& connectivity() const { return c; }
   const std::vector<Moments>& moments_of_faces() const { return face_moments; }
 
 private:
+  static std::vector<int> identity(int n)
+  {
+    std::vector<int> result(n);
+    std::iota(result.begin(), result.end(), 0);
+    return result;
+  }
+
+  /// `first_fit()` of every piece of the free panels: panels of different pieces share no corner.
+  static bool fit(const std::vector<Moments>& moments, const Complex_topology& t, const std::vector<char>& free,
+                  const std::vector<char>& refit, Flat_state& s, std::vector<int>* unfit)
+  {
+    bool fits = true;
+    for (const std::vector<int>& piece : free_pieces(t, free)) {
+      std::vector<char> in_piece(t.number_of_panels(), 0);
+      for (int p : piece) in_piece[p] = 1;
+      Plane_corner_system system(t, std::move(in_piece));
+      if (first_fit(moments, system, refit, s, 0.3 / double(system.free_corners().size() + 1))) continue;
+      if (!unfit) return false;
+      fits = false;
+      unfit->insert(unfit->end(), piece.begin(), piece.end());
+    }
+    return fits;
+  }
+
   static std::vector<char> changed_panels(const Panel_model& m, const std::vector<char>& free)
   {
     std::vector<char> changed(m.panels(), 0);
@@ -189,8 +255,10 @@ private:
       }
       bool refitted = false;
       for (int p : t.corner_panels[i]) refitted = refitted || refit[p];
-      if (!refitted) meet(m, i);
-      for (int p : t.corner_panels[i]) free[p] = 1;
+      if (edit.near_old && found != before.end()) m.state.corner[i] = old->state.corner[found->second];
+      else if (!refitted) meet(m, i);
+      for (int p : t.corner_panels[i])
+        if (!edit.is_held(p)) free[p] = 1;
     }
   }
 
@@ -234,17 +302,18 @@ private:
   }
 
   /// Faults among panels that did not change are taken over, and looked for only where something did.
-  void make_surface(const Panel_model* old, const Label_edit& edit, const Plane_corner_system& system,
-                    Panel_model& m) const
+  static void make_surface(const Panel_model* old, const Label_edit& edit, const std::vector<char>& changed,
+                           Panel_model& m)
   {
     const int n = m.panels();
-    std::vector<char> changed(n, 0);
-    for (int i : system.free_corners())
-      for (int p : m.topology->corner_panels[i]) changed[p] = 1;
     auto surface = std::make_shared<Panel_surface>(*m.topology);
-    std::vector<int> all(n);
-    for (int p = 0; p < n; ++p) all[p] = p;
-    surface->update(m.state, all);
+    const std::vector<int> corner_now = old ? corners_now(*old, m) : std::vector<int>();
+    std::vector<int> others;
+    for (int p = 0; p < n; ++p)
+      if (!old || changed[p] || edit.old_panel[p] < 0 ||
+          !surface->take(p, *old->surface, edit.old_panel[p], corner_now))
+        others.push_back(p);
+    surface->update(m.state, others);
     surface->build_tree(m.state);
     m.surface = surface;
     m.contacts.clear();
@@ -252,6 +321,18 @@ private:
     renew_contacts(m, changed);
     m.faults = int(m.contacts.size());
     for (int p = 0; p < n; ++p) m.faults += !surface->is_simple(p);
+  }
+
+  /// The number that each corner of `old` has in `m`, or -1.
+  static std::vector<int> corners_now(const Panel_model& old, const Panel_model& m)
+  {
+    std::vector<int> result;
+    std::size_t j = 0;
+    for (int v : old.corner_vertex) { // both ascend
+      while (j < m.corner_vertex.size() && m.corner_vertex[j] < v) ++j;
+      result.push_back(j < m.corner_vertex.size() && m.corner_vertex[j] == v ? int(j) : -1);
+    }
+    return result;
   }
 
   /// Contacts between panels that exist before and after.
@@ -274,7 +355,7 @@ private:
     m.contacts.insert(m.contacts.end(), found.begin(), found.end());
   }
 
-  void carry_distances(const Panel_model* old, const Label_edit& edit, const Plane_corner_system& system,
+  void carry_distances(const Panel_model* old, const Label_edit& edit, const std::vector<char>& changed,
                        Panel_model& m) const
   {
     m.r.assign(in.samples.size(), 0);
@@ -284,9 +365,8 @@ private:
     std::vector<int> now(old->panels(), -1);
     for (int p = 0; p < m.panels(); ++p)
       if (edit.old_panel[p] >= 0) now[edit.old_panel[p]] = p;
-    for (int i : system.free_corners())
-      for (int p : m.topology->corner_panels[i])
-        if (edit.old_panel[p] >= 0) now[edit.old_panel[p]] = -1; // its shape changed
+    for (int p = 0; p < m.panels(); ++p)
+      if (changed[p] && edit.old_panel[p] >= 0) now[edit.old_panel[p]] = -1; // its shape changed
     for (std::size_t i = 0; i < m.r.size(); ++i)
       if (old->near_panel[i] >= 0) m.r[i] = old->r[i], m.near_panel[i] = now[old->near_panel[i]];
     for (Sample_record q : old->records) {

@@ -7,6 +7,7 @@
 #include <CGAL/Multiplanar/Approximation_options.h>
 #include <CGAL/Multiplanar/internal/coarsen_panels.h>
 #include <CGAL/Multiplanar/internal/initial_partitions.h>
+#include <CGAL/Multiplanar/internal/merge_triangles.h>
 #include <CGAL/Multiplanar/internal/panel_places.h>
 #include <CGAL/Multiplanar/internal/teleport.h>
 #include <CGAL/Multiplanar/panel_partition.h>
@@ -125,6 +126,31 @@ public:
     const auto mended = [&](Panel_model& changed) { mend(costs, changed, nullptr); };
     const Panel_coarsening coarsening(modeller, costs, frame_points, accuracy(), options.seed, mended, accepted);
     if (!coarsening.run(options.max_panels, m)) return false;
+    improve_accepted(accepted, m);
+    return true;
+  }
+
+  /// An accepted model merged from the triangles of the mesh; then improved as far as it stays accepted.
+  /// \param fewest receives the number of panels that were left
+  /// \return false if there is none
+  bool merged_from_triangles(const Model_test& accepted, Panel_model& m, int& fewest)
+  {
+    const Label_costs costs = label_costs();
+    const auto usable = [&](Panel_model& changed) {
+      mend(costs, changed, nullptr);
+      return changed.faults == 0 && accepted(changed);
+    };
+    Accuracy_options few = accuracy();
+    few.powers = {4}, few.steps = 3;
+    const bool found = merge_triangles(modeller, few, options.max_panels, usable, m);
+    fewest = m.topology ? m.panels() : c.number_of_faces();
+    if (found) improve_accepted(accepted, m);
+    return found;
+  }
+
+private:
+  void improve_accepted(const Model_test& accepted, Panel_model& m) const
+  {
     for (int power : accuracy().powers) {
       Panel_model improved = m;
       Accuracy_options a = accuracy();
@@ -132,10 +158,8 @@ public:
       modeller.improve_all(improved, a);
       if (improved.faults == 0 && accepted(improved)) m = std::move(improved);
     }
-    return true;
   }
 
-private:
   /// Costs that make panels as dense as the importance says (`Label_costs::seed_density()`).
   Label_costs label_costs() const
   {

@@ -8,7 +8,9 @@
 #include <CGAL/Multiplanar/internal/exact_contacts.h>
 #include <CGAL/Multiplanar/panel_triangulation.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -54,6 +56,33 @@ public:
   void update(const Flat_state& s, const std::vector<int>& panels)
   {
     for (int p : panels) simple_[p] = triangulate(s, p);
+  }
+
+  /// Takes over panel `q` of another surface, which has the same corners in the same places, as panel `p`.
+  /// \param corner_now the number here of every corner there, or -1
+  /// \return false if the corners are not the same ones
+  bool take(int p, const Panel_surface& other, int q, const std::vector<int>& corner_now)
+  {
+    const auto &now = t->loops[p], &before = other.t->loops[q];
+    std::size_t corners = 0;
+    for (const auto& loop : now) corners += loop.size();
+    std::vector<int> expected;
+    for (const auto& loop : before)
+      for (int c : loop) {
+        if (corner_now[c] < 0) return false;
+        expected.push_back(corner_now[c]);
+      }
+    if (now.size() != before.size() || expected.size() != corners) return false;
+    std::vector<int> actual;
+    for (const auto& loop : now) actual.insert(actual.end(), loop.begin(), loop.end());
+    std::sort(expected.begin(), expected.end());
+    std::sort(actual.begin(), actual.end());
+    if (expected != actual) return false;
+    panel_triangles_[p] = other.panel_triangles_[q];
+    for (Triangle& triangle : panel_triangles_[p])
+      for (int& c : triangle) c = corner_now[c];
+    simple_[p] = other.simple_[q];
+    return true;
   }
 
   /// Builds the tree over the triangles of all simple panels (and of the fans of those that are not).

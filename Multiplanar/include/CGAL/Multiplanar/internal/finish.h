@@ -9,6 +9,7 @@
 #include <CGAL/Multiplanar/label_costs.h>
 #include <CGAL/Multiplanar/panel_complex_problems.h>
 #include <CGAL/Multiplanar/panel_partition.h>
+#include <CGAL/Multiplanar/internal/Mapping_check.h>
 #include <CGAL/Multiplanar/internal/Stopwatch.h>
 #include <CGAL/Multiplanar/internal/Unit_frame.h>
 #include <CGAL/Multiplanar/internal/embedding.h>
@@ -206,7 +207,16 @@ inline Flat_panels_result flat_panels_or_fewer(const Connectivity& c, const Poin
     options.last_resort = true;
     attempt(partitions);
   }
-  if (!flat.ok) throw No_flat_panels(wanted, c.genus(), c.number_of_faces());
+  if (!flat.ok && c.number_of_faces() <= most_merged_triangles) {
+    Mapping_check mapping_check(c, source);
+    options.max_panels = wanted;
+    options.merge_triangles = true;
+    flat = flat_panels(c, source, {}, options, progress, obstacles, [&](const Flat_panels_result& candidate) {
+      return mapping_check(candidate.panel_of_face, candidate.complex);
+    });
+    mapping_seconds += flat.obstacle_seconds;
+  }
+  if (!flat.ok) throw No_flat_panels(wanted, c.genus(), c.number_of_faces(), flat.fewest);
   return flat;
 }
 

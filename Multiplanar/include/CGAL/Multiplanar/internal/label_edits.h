@@ -21,6 +21,10 @@ struct Label_edit
   std::vector<int> labels;
   std::vector<int> old_panel; ///< of every new panel: the same panel before, or -1
   std::vector<char> refit;    ///< panels whose planes are to be fitted anew
+  std::vector<char> held;     ///< panels whose planes stay even where a corner is new; empty: none
+  bool near_old = false;      ///< whether new corners start where the old model has their vertices, not on the mesh
+
+  bool is_held(int p) const { return !held.empty() && held[p]; }
 };
 
 inline Label_edit no_edit(const std::vector<int>& labels, int panels)
@@ -41,9 +45,11 @@ inline void remove_label(Label_edit& e, int q)
       if (l == last) l = q;
     e.old_panel[q] = e.old_panel[last];
     e.refit[q] = e.refit[last];
+    if (!e.held.empty()) e.held[q] = e.held[last];
   }
   e.old_panel.pop_back();
   e.refit.pop_back();
+  if (!e.held.empty()) e.held.pop_back();
 }
 
 inline void merge_labels(Label_edit& e, int p, int q)

@@ -1,0 +1,231 @@
+// Copyright (c) 2026 The Multiplanar authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTIPLANAR_INTERNAL_LAST_MERGERS_H
+#define CGAL_MULTIPLANAR_INTERNAL_LAST_MERGERS_H
+
+#include <CGAL/Multiplanar/internal/panel_edits.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Multiplanar {
+namespace internal {
+
+/// Makes a model without faults one of fewer panels, one step at a time, where pairs of neighbours are not enough: a pit
+/// of three walls vanishes only with all of them, for two planes enclose nothing. A step merges two panels that share a
+/// corner, all panels around a corner or around an edge, or all that a hole of a panel encloses; or it shares a panel
+/// out among its neighbours. The step whose panels lie in the thinnest slab comes first.
+class Last_mergers
+{
+public:
+  using Test = std::function<bool(Panel_model&)>;
+
+  /// \param usable may change a model that it is asked of; what it does not want is not taken
+  Last_mergers(const Panel_modeller& modeller, const Accuracy_options& accuracy, Test usable)
+      : modeller(modeller), c(modeller.connectivity()), edits(modeller, 0.02), accuracy(accuracy),
+        usable(std::move(usable))
+  {
+  }
+
+  /// Steps that take corners far from the mesh come last.
+  /// \return false if no step leads to at most `panels`; `m` is then the smallest model found
+  bool run(int panels, Panel_model& m)
+  {
+    left = (std::max)(1000, int(most_work / c.number_of_faces()));
+    for (double distance : {0.02, 0.05, 0.15, 1.0}) {
+      farthest = distance;
+      failed.clear();
+      bool any = false; // steps since `failed` was empty
+      while (m.panels() > panels && left > 0) {
+        if (step(m) || dissolve(m)) any = true;
+        else if (!any) break;
+        else failed.clear(), any = false, improve(m); // what is around them has changed
+      }
+    }
+    return m.panels() <= panels;
+  }
+
+private:
+  using Set = std::vector<int>; ///< panels, ascending
+
+  bool step(Panel_model& m)
+  {
+    const std::vector<std::vector<int>> faces = faces_of_panels(m);
+    std::vector<std::pair<double, Set>> order;
+    for (const Set& set : candidates(m)) order.emplace_back(thickness(m, faces, set), set);
+    std::stable_sort(order.begin(), order.end());
+    for (const auto& entry : order) {
+      if (left <= 0) return false;
+      const Set key = name(faces, entry.second);
+      if (failed.count(key)) continue;
+      Label_edit edit = merging(m, entry.second);
+      if (accept(m, edit)) return true;
+      edit.near_old = false;
+      if (accept_clipped(m, edit)) return true;
+      failed.insert(key);
+    }
+    return false;
+  }
+
+  bool dissolve(Panel_model& m)
+  {
+    std::vector<std::pair<double, int>> order;
+    for (int p = 0; p < m.panels(); ++p) order.emplace_back(m.moments[p].area, p);
+    std::sort(order.begin(), order.end());
+    for (const auto& entry : order) {
+      if (left <= 0) return false;
+      Label_edit edit = edits.dissolve(m, entry.second);
+      if (accept_clipped(m, edit)) return true;
+    }
+    return false;
+  }
+
+  void improve(Panel_model& m) const
+  {
+    Panel_model improved = m;
+    modeller.improve_all(improved, accuracy);
+    if (improved.faults == 0 && usable(improved)) m = std::move(improved);
+  }
+
+  bool accept(Panel_model& m, const Label_edit& edit)
+  {
+    --left;
+    Panel_model result;
+    std::vector<char> touched;
+    if (!modeller.rebuild(&m, edit, result, touched) || result.faults > 0) return false;
+    if (modeller.largest_displacement(result) > (std::max)(farthest, modeller.largest_displacement(m))) return false;
+    if (!usable(result)) return false;
+    m = std::move(result);
+    return true;
+  }
+
+  bool accept_clipped(Panel_model& m, Label_edit& edit)
+  {
+    clip_ears(c, edit.labels);
+    std::vector<char> used(edit.old_panel.size(), 0);
+    for (int label : edit.labels) used[label] = 1;
+    return std::find(used.begin(), used.end(), 0) == used.end() && accept(m, edit);
+  }
+
+  static std::set<Set> candidates(const Panel_model& m)
+  {
+    const Complex_topology& t = *m.topology;
+    std::set<Set> sets;
+    const auto add = [&](Set set) {
+      std::sort(set.begin(), set.end());
+      set.erase(std::unique(set.begin(), set.end()), set.end());
+      if (set.size() >= 2 && int(set.size()) + 3 <= m.panels()) sets.insert(std::move(set));
+    };
+    for (const auto& around : t.corner_panels) {
+      add(around);
+      for (std::size_t i = 0; i < around.size(); ++i)
+        for (std::size_t j = i + 1; j < around.size(); ++j) add({around[i], around[j]});
+    }
+    for (const auto& e : t.edges) {
+      Set both;
+      for (int x : e.corners) both.insert(both.end(), t.corner_panels[x].begin(), t.corner_panels[x].end());
+      add(std::move(both));
+    }
+    for (int p = 0; p < m.panels(); ++p)
+      for (std::size_t l = 1; l < t.loops[p].size(); ++l) add(enclosed(m, p, t.loops[p][l]));
+    return sets;
+  }
+
+  /// Panel `p` and all panels behind its hole `loop`, if these are few; or else nothing.
+  static Set enclosed(const Panel_model& m, int p, const std::vector<int>& loop)
+  {
+    std::set<int> found{p};
+    Set open;
+    for (int x : loop)
+      for (int q : m.topology->corner_panels[x])
+        if (found.insert(q).second) open.push_back(q);
+    while (!open.empty()) {
+      const int q = open.back();
+      open.pop_back();
+      for (int r : Panel_edits::neighbours(m, q))
+        if (found.insert(r).second) open.push_back(r);
+      if (found.size() > most_enclosed) return {};
+    }
+    return {found.begin(), found.end()};
+  }
+
+  std::vector<std::vector<int>> faces_of_panels(const Panel_model& m) const
+  {
+    std::vector<std::vector<int>> faces(m.panels());
+    for (int f = 0; f < c.number_of_faces(); ++f) faces[m.labels[f]].push_back(f);
+    return faces;
+  }
+
+  /// Half the width of the slab around the common plane that holds all faces of the set.
+  double thickness(const Panel_model& m, const std::vector<std::vector<int>>& faces, const Set& set) const
+  {
+    Moments sum;
+    for (int p : set) sum += m.moments[p];
+    Vec3 normal;
+    double offset, low = 1e300, high = -1e300;
+    fit_plane(sum, normal, offset);
+    for (int p : set)
+      for (int f : faces[p])
+        for (int v : c.triangles[f]) {
+          const double d = normal.dot(modeller.input().points[v]) - offset;
+          low = (std::min)(low, d), high = (std::max)(high, d);
+        }
+    return (high - low) / 2;
+  }
+
+  /// The set, whatever the numbers of its panels.
+  static Set name(const std::vector<std::vector<int>>& faces, const Set& set)
+  {
+    std::vector<std::pair<int, int>> parts;
+    for (int p : set) parts.emplace_back(faces[p].front(), int(faces[p].size()));
+    std::sort(parts.begin(), parts.end());
+    Set result;
+    for (const auto& part : parts) result.push_back(part.first), result.push_back(part.second);
+    return result;
+  }
+
+  /// All of the set go into the largest.
+  static Label_edit merging(const Panel_model& m, const Set& set)
+  {
+    int largest = set[0];
+    for (int p : set)
+      if (m.moments[p].area > m.moments[largest].area) largest = p;
+    std::vector<int> into(m.panels()), now(m.panels(), -1);
+    for (int p = 0; p < m.panels(); ++p) into[p] = p;
+    for (int p : set) into[p] = largest;
+    Label_edit edit;
+    edit.near_old = true;
+    for (int p = 0; p < m.panels(); ++p) {
+      if (into[p] != p) continue;
+      now[p] = int(edit.old_panel.size());
+      edit.old_panel.push_back(p);
+      edit.refit.push_back(p == largest);
+    }
+    for (int label : m.labels) edit.labels.push_back(now[into[label]]);
+    return edit;
+  }
+
+  static constexpr std::size_t most_enclosed = 12;
+  static constexpr double most_work = 6e7; ///< attempts times faces
+
+  const Panel_modeller& modeller;
+  const Connectivity& c;
+  Panel_edits edits;
+  Accuracy_options accuracy;
+  Test usable;
+  std::set<Set> failed;
+  int left = 0; ///< attempts
+  double farthest = 1; ///< that a corner may be from its vertex, in diagonals
+};
+
+} // namespace internal
+} // namespace Multiplanar
+} // namespace CGAL
+
+#endif // CGAL_MULTIPLANAR_INTERNAL_LAST_MERGERS_H

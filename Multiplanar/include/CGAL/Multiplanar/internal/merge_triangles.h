@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Multiplanar authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MULTIPLANAR_INTERNAL_MERGE_TRIANGLES_H
+#define CGAL_MULTIPLANAR_INTERNAL_MERGE_TRIANGLES_H
+
+#include <CGAL/Multiplanar/internal/last_mergers.h>
+#include <CGAL/Multiplanar/internal/merge_rounds.h>
+
+#include <algorithm>
+#include <functional>
+
+// Where no partition leads to flat panels, the mesh itself does: a panel for each triangle needs nothing to be made
+// flat. From there neighbours are merged, cheapest first, each merger only if the polygons stay simple and apart, and the
+// caller accepts them. It starts from many panels, so it takes long, and always has a model that holds.
+
+namespace CGAL {
+namespace Multiplanar {
+namespace internal {
+
+/// Faces of a mesh whose triangles are merged.
+constexpr int most_merged_triangles = 20000;
+
+/// Merges the triangles of a mesh to at most `panels` panels.
+/// \param usable may change a model that it is asked of; what it does not want is not taken
+/// \param m receives the smallest model found, if any
+/// \return whether there is one of at most `panels`
+inline bool merge_triangles(const Panel_modeller& modeller, const Accuracy_options& accuracy, int panels,
+                            const std::function<bool(Panel_model&)>& usable, Panel_model& m)
+{
+  if (!modeller.of_triangles(m) || m.faults > 0) return false;
+  Merge_rounds rounds(modeller);
+  Panel_model next = m;
+  for (bool more = true; more && next.panels() > 3 * panels;) {
+    more = rounds.run((std::max)(3 * panels, next.panels() / 2), next);
+    Panel_model changed = next;
+    if (usable(changed)) m = std::move(changed);
+  }
+  Last_mergers last(modeller, accuracy, usable);
+  return last.run(panels, m);
+}
+
+} // namespace internal
+} // namespace Multiplanar
+} // namespace CGAL
+
+#endif // CGAL_MULTIPLANAR_INTERNAL_MERGE_TRIANGLES_H
