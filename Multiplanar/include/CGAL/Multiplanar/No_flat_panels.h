@@ -19,8 +19,8 @@ of work. With more panels, another seed or fewer triangles they may be; `what()`
 class No_flat_panels : public std::runtime_error
 {
 public:
-  /// For so many panels asked for, and a surface of that genus and number of triangles.
-  /// \param fewest that were found to fit; 0: not known
+  /// For so many panels asked for, and a surface of that genus and number of triangles; `fewest` panels were found to fit
+  /// (0: not known).
   No_flat_panels(int panels, int genus, int faces, int fewest = 0)
       : std::runtime_error(
             "no " + std::to_string(panels) + " flat panels were found that this surface of genus " +

@@ -212,7 +212,7 @@ private:
   }
 
   static constexpr std::size_t most_enclosed = 12;
-  static constexpr double most_work = 6e7; ///< attempts times faces
+  static constexpr double most_work = 2e7; ///< attempts times faces
 
   const Panel_modeller& modeller;
   const Connectivity& c;
