@@ -20,12 +20,12 @@ class No_flat_panels : public std::runtime_error
 {
 public:
   /// For so many panels asked for, and a surface of that genus and number of triangles; `fewest` panels were found to fit
-  /// (0: not known).
+  /// (0: not known), which is told where it is not many times what was asked for.
   No_flat_panels(int panels, int genus, int faces, int fewest = 0)
       : std::runtime_error(
             "no " + std::to_string(panels) + " flat panels were found that this surface of genus " +
             std::to_string(genus) + " and " + std::to_string(faces) + " faces fits into" +
-            (fewest > panels ? "; the fewest found are " + std::to_string(fewest) : std::string()) +
+            (fewest > panels && fewest <= 4 * panels ? "; the fewest found are " + std::to_string(fewest) : std::string()) +
             ": give more panels (-k), another seed, or a mesh with fewer faces")
   {
   }

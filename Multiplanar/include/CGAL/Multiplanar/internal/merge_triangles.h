@@ -21,6 +21,9 @@ namespace internal {
 /// Faces of a mesh whose triangles are merged.
 constexpr int most_merged_triangles = 20000;
 
+/// For each panel wanted, what is left to merge one by one at most.
+constexpr int too_many = 40;
+
 /// Merges the triangles of a mesh to at most `panels` panels.
 /// \param usable may change a model that it is asked of; what it does not want is not taken
 /// \param m receives the smallest model found, if any
@@ -36,6 +39,7 @@ inline bool merge_triangles(const Panel_modeller& modeller, const Accuracy_optio
     Panel_model changed = next;
     if (usable(changed)) m = std::move(changed);
   }
+  if (m.panels() > too_many * panels) return false; // one by one from there would take too long
   Last_mergers last(modeller, accuracy, usable);
   return last.run(panels, m);
 }
