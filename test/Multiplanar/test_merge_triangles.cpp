@@ -7,6 +7,7 @@
 #include <CGAL/Multiplanar/flat_panels.h>
 #include <CGAL/Multiplanar/internal/Mapping_check.h>
 #include <CGAL/Multiplanar/internal/map_to_panels.h>
+#include <CGAL/Multiplanar/internal/mend_ears.h>
 #include <CGAL/Multiplanar/internal/merge_triangles.h>
 
 #include "flat_panel_fixtures.h"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <vector>
 
 namespace {
@@ -39,6 +41,13 @@ std::vector<int> merged_labels(const Panel_model& m, int p, int q)
   Label_edit edit = no_edit(m.labels, m.panels());
   merge_labels(edit, p, q);
   return edit.labels;
+}
+
+Accuracy_options few_steps()
+{
+  Accuracy_options few;
+  few.powers = {4}, few.steps = 3;
+  return few;
 }
 
 /// Faults of the model found from scratch.
@@ -125,11 +134,18 @@ TEST(Merge_triangles, pits_vanish_whole)
   Merging t(mesh);
   Panel_model m;
   ASSERT_TRUE(t.modeller.of_triangles(m));
-  Accuracy_options few;
-  few.powers = {4}, few.steps = 3;
-  ASSERT_TRUE(merge_triangles(t.modeller, few, 6, [](Panel_model& x) { return x.faults == 0; }, m));
+  const auto all_of_use = [](Panel_model&) { return std::vector<int>(); };
+  ASSERT_TRUE(merge_triangles(t.modeller, few_steps(), 6, all_of_use, m));
   EXPECT_EQ(m.panels(), 6);
   EXPECT_EQ(faults_anew(m), 0);
+}
+
+/// What keeps the mesh from being mapped into the panels of a model, as they are.
+std::vector<int> unmapped(const Merging& t, const Points& source, Mapping_check& check, const Panel_model& m)
+{
+  const Flat_panels_result r = result_of(t.c, source, t.in, m);
+  EXPECT_TRUE(r.ok);
+  return check.unmapped(r.panel_of_face, r.complex);
 }
 
 TEST(Merge_triangles, what_the_check_takes_is_mapped)
@@ -138,25 +154,104 @@ TEST(Merge_triangles, what_the_check_takes_is_mapped)
   Merging t(mesh);
   Mapping_check check(t.c, mesh.points);
   int taken = 0, refused = 0;
-  const auto usable = [&](Panel_model& m) {
-    if (m.faults > 0) return false;
-    const Flat_panels_result r = result_of(t.c, mesh.points, t.in, m);
-    if (!r.ok) return false;
+  const auto unusable = [&](Panel_model& m) {
     Mapping_check fresh(t.c, mesh.points); // remembers nothing
-    const bool fits = check(r.panel_of_face, r.complex);
-    EXPECT_EQ(fits, fresh(r.panel_of_face, r.complex));
-    if (fits) {
+    const std::vector<int> bad = unmapped(t, mesh.points, check, m);
+    EXPECT_EQ(bad, unmapped(t, mesh.points, fresh, m));
+    if (bad.empty()) {
+      const Flat_panels_result r = result_of(t.c, mesh.points, t.in, m);
       EXPECT_TRUE(Panel_mapping(t.c, mesh.points, r.panel_of_face, r.complex).failed().empty());
     }
-    ++(fits ? taken : refused);
-    return fits;
+    ++(bad.empty() ? taken : refused);
+    return bad;
   };
-  Accuracy_options few;
-  few.powers = {4}, few.steps = 3;
   Panel_model m;
-  EXPECT_TRUE(merge_triangles(t.modeller, few, 30, usable, m));
+  EXPECT_TRUE(merge_triangles(t.modeller, few_steps(), 30, unusable, m));
   EXPECT_LE(m.panels(), 30);
+  EXPECT_TRUE(unmapped(t, mesh.points, check, m).empty());
   EXPECT_GT(taken, 0);
+  EXPECT_GT(refused, 0);
+}
+
+TEST(Merge_triangles, mended_ears_leave_the_polygons_where_they_are)
+{
+  int mended = 0;
+  for (const Mesh& mesh : {bumpy_sphere(10), torus(30, 16)}) {
+    Merging t(mesh);
+    Panel_model m;
+    ASSERT_TRUE(t.modeller.of_triangles(m));
+    Merge_rounds rounds(t.modeller);
+    for (int panels : {200, 120, 80, 60, 40}) {
+      rounds.run(panels, m);
+      const Flat_panels_result before = result_of(t.c, mesh.points, t.in, m);
+      const auto ears = flat_ears(t.c, before.panel_of_face, before.complex);
+      std::vector<int> bad;
+      for (const Flat_ear& ear : ears) bad.push_back(before.panel_of_face[ear.face]);
+      Ear_mender mender(t.c, m);
+      if (!mender.run(bad)) continue;
+      Panel_model next = m;
+      ASSERT_TRUE(t.modeller.relabel(mender.labels, next)) << m.panels() << ": the complex is another";
+      const Flat_panels_result after = result_of(t.c, mesh.points, t.in, next);
+      Panel_complex expected = before.complex;
+      EXPECT_TRUE(transfer_geometry(after.complex, expected));
+      for (int p = 0; p < m.panels(); ++p) EXPECT_NEAR(after.complex.area(p), before.complex.area(p), 1e-9) << p;
+      EXPECT_LT(flat_ears(t.c, after.panel_of_face, after.complex).size(), ears.size());
+      EXPECT_EQ(faults_anew(next), 0);
+      EXPECT_EQ(next.faults, 0);
+      Moments anew;
+      for (int f = 0; f < t.c.number_of_faces(); ++f)
+        if (next.labels[f] == 0) anew += t.modeller.moments_of_faces()[f];
+      EXPECT_NEAR(next.moments[0].area, anew.area, 1e-12);
+      ++mended;
+      m = next; // and on from there
+    }
+  }
+  EXPECT_GT(mended, 2);
+}
+
+TEST(Merge_triangles, labels_of_another_complex_are_refused)
+{
+  const Mesh mesh = bumpy_sphere(6);
+  Merging t(mesh);
+  Panel_model m;
+  ASSERT_TRUE(t.modeller.of_triangles(m));
+  Merge_rounds(t.modeller).run(40, m);
+  const std::vector<int> labels = m.labels;
+  EXPECT_TRUE(t.modeller.relabel(labels, m));
+  int refused = 0;
+  for (int f = 0; f < t.c.number_of_faces(); f += 7) {
+    std::vector<int> changed = labels;
+    changed[f] = (labels[f] + m.panels() / 2) % m.panels(); // in most cases an island
+    refused += !t.modeller.relabel(changed, m);
+    EXPECT_TRUE(m.labels == changed || m.labels == labels);
+    m.labels == labels || t.modeller.relabel(labels, m);
+  }
+  EXPECT_GT(refused, 10);
+}
+
+TEST(Merge_triangles, pinned_corners_change_nothing_but_the_work)
+{
+  Merging t(bumpy_sphere(6));
+  Panel_model m;
+  ASSERT_TRUE(t.modeller.of_triangles(m));
+  std::mt19937 random(7); // its seed
+  for (int i = 0; i < 40; ++i) {
+    const auto& e = m.topology->edges[random() % m.topology->edges.size()];
+    std::vector<char> free(m.panels(), 0), refit(m.panels(), 0);
+    for (int corner : e.corners)
+      for (int p : m.topology->corner_panels[corner]) free[p] = 1;
+    std::vector<Moments> moments = m.moments;
+    moments[e.panels[0]] += moments[e.panels[1]];
+    refit[e.panels[0]] = 1;
+    Flat_state pinned = m.state, all = m.state;
+    Plane_corner_system a(*m.topology, free, true), b(*m.topology, free);
+    ASSERT_TRUE(first_fit(moments, a, refit, pinned, 0.1));
+    ASSERT_TRUE(first_fit(moments, b, refit, all, 0.1));
+    EXPECT_LT(a.unknowns(), b.unknowns());
+    EXPECT_LT(flatness(*m.topology, pinned), 1e-12);
+    for (int x = 0; x < m.topology->number_of_corners(); ++x)
+      EXPECT_LT((pinned.corner[x] - all.corner[x]).norm(), 1e-6) << "round " << i << ", corner " << x;
+  }
 }
 
 TEST(Merge_triangles, flat_panels_made_so_keep_all_promises)

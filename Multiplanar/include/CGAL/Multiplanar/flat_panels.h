@@ -47,9 +47,9 @@ struct Flat_panels_result;
 /// once, in different threads. It may leave something with the result that it is asked of (`companion`).
 using Flat_panels_obstacles = std::function<std::vector<int>(Flat_panels_result&)>;
 
-/// Whether a caller can use a result as it is. It may say no where `Flat_panels_obstacles` would find a way, but is fast
-/// for results that are mostly the same.
-using Flat_panels_check = std::function<bool(const Flat_panels_result&)>;
+/// Tells which panels of a result the caller cannot use as it is. It may name some where `Flat_panels_obstacles` would
+/// find a way, but is fast for results that are mostly the same.
+using Flat_panels_check = std::function<std::vector<int>(const Flat_panels_result&)>;
 
 /// Exactly flat panels near a model.
 struct Flat_panels_result
@@ -172,14 +172,18 @@ public:
   /// \return false if that does not lead to few panels; `result.fewest` tells to how many
   bool merge_triangles(const Flat_panels_check& check, Panel_model& model, Flat_panels_result& result)
   {
-    const auto accepted = [&](const Panel_model& m) {
+    const auto unmapped = [&](const Panel_model& m) {
       const Flat_panels_result r = result_of(c, source, in, m);
-      return r.ok && (!check || check(r));
+      if (r.ok) return check ? check(r) : std::vector<int>();
+      std::vector<int> bad;
+      for (int p = 0; p < m.panels(); ++p)
+        if (!is_simple_panel(r.complex, p)) bad.push_back(p);
+      return bad;
     };
     int fewest = 0;
     Panel_model merged;
     Trial trial;
-    if (search.merged_from_triangles(accepted, merged, fewest)) attempt(merged, trial);
+    if (search.merged_from_triangles(unmapped, merged, fewest)) attempt(merged, trial);
     result.fewest = fewest;
     if (!trial.result.ok || !trial.blocked.empty()) return false;
     model = std::move(merged);

@@ -9,44 +9,51 @@
 
 #include <cstdint>
 #include <cstring>
-#include <set>
+#include <unordered_set>
 #include <vector>
 
 namespace CGAL {
 namespace Multiplanar {
 namespace internal {
 
-/// Whether a mesh can be mapped into flat panels as it is, without any mending: for one set of panels after another that
-/// are mostly the same. What was found about a panel is remembered by its faces and the places of its corners.
+/// Whether a mesh can be mapped into flat panels as it is, without any mending: for one set of panels after another
+/// that are mostly the same. What was found about a panel is remembered by its faces and the places of its corners.
 class Mapping_check
 {
 public:
   Mapping_check(const Connectivity& c, const Points& shape) : c(c), shape(shape), local(c.number_of_vertices(), -1) {}
 
-  bool operator()(const std::vector<int>& labels, const Panel_complex& complex)
+  /// \return the panels that the mesh cannot be mapped into, ascending
+  std::vector<int> unmapped(const std::vector<int>& labels, const Panel_complex& complex)
   {
-    std::vector<int> unknown;
     std::vector<std::uint64_t> names;
-    for (int p = 0; p < complex.number_of_panels(); ++p) {
-      names.push_back(name(complex, p));
-      if (bad.count(names.back())) return false;
-      if (!good.count(names.back())) unknown.push_back(p);
-    }
-    if (!flat_ears(c, labels, complex).empty()) return false;
-    targets.resize(shape.size(), CGAL::ORIGIN);
-    for (int p : unknown) {
-      for (const auto& e : complex.edges)
-        if (e.panels[0] == p || e.panels[1] == p)
-          place_chain(e.chain, shape, complex.corners[e.corners[0]].point, complex.corners[e.corners[1]].point,
-                      targets);
-      const bool fits = place_panel(c, shape, labels, complex, p, local, targets);
-      (fits ? good : bad).insert(names[p]);
-      if (!fits) return false;
-    }
-    return true;
+    for (int p = 0; p < complex.number_of_panels(); ++p) names.push_back(name(complex, p));
+    for (const Flat_ear& ear : flat_ears(c, labels, complex)) bad.insert(names[labels[ear.face]]);
+    map_unknown(labels, complex, names);
+    std::vector<int> result;
+    for (int p = 0; p < complex.number_of_panels(); ++p)
+      if (bad.count(names[p])) result.push_back(p);
+    return result;
   }
 
 private:
+  void map_unknown(const std::vector<int>& labels, const Panel_complex& complex,
+                   const std::vector<std::uint64_t>& names)
+  {
+    std::vector<std::vector<int>> edges_of(names.size());
+    for (int e = 0; e < int(complex.edges.size()); ++e)
+      for (int p : complex.edges[e].panels) edges_of[p].push_back(e);
+    targets.resize(shape.size(), CGAL::ORIGIN);
+    for (int p = 0; p < int(names.size()); ++p) {
+      if (good.count(names[p]) || bad.count(names[p])) continue;
+      for (int i : edges_of[p]) {
+        const auto& e = complex.edges[i];
+        place_chain(e.chain, shape, complex.corners[e.corners[0]].point, complex.corners[e.corners[1]].point, targets);
+      }
+      (place_panel(c, shape, labels, complex, p, local, targets) ? good : bad).insert(names[p]);
+    }
+  }
+
   static std::uint64_t name(const Panel_complex& complex, int p)
   {
     std::uint64_t h = 1469598103934665603u;
@@ -73,7 +80,7 @@ private:
   const Points& shape;
   std::vector<int> local;
   Points targets;
-  std::set<std::uint64_t> good, bad;
+  std::unordered_set<std::uint64_t> good, bad;
 };
 
 } // namespace internal

@@ -7,10 +7,11 @@
 #include <CGAL/Multiplanar/internal/Joint_room.h>
 #include <CGAL/Multiplanar/internal/Panel_model.h>
 #include <CGAL/Multiplanar/internal/accuracy_steps.h>
-#include <CGAL/Multiplanar/internal/first_fit.h>
 #include <CGAL/Multiplanar/internal/cutting_limits.h>
+#include <CGAL/Multiplanar/internal/first_fit.h>
 #include <CGAL/Multiplanar/internal/free_pieces.h>
 #include <CGAL/Multiplanar/internal/label_edits.h>
+#include <CGAL/Multiplanar/internal/model_surface.h>
 #include <CGAL/Multiplanar/internal/trace_topology.h>
 
 #include <algorithm>
@@ -63,7 +64,7 @@ public:
     put_outer_loops_first(m, *topology);
     if (!fit(m.moments, *topology, touched, refit, m.state, unfit)) return false;
     const std::vector<char> changed = changed_panels(m, touched);
-    make_surface(old, edit, changed, m);
+    make_surface(old, edit, changed, old ? corners_now(*old, m) : std::vector<int>(), m);
     carry_distances(old, edit, changed, m);
     return true;
   }
@@ -86,9 +87,33 @@ public:
       m.state.normal.push_back(face_moments[f].normal.normalized());
       m.state.offset.push_back(m.state.normal[f].dot(in.points[t[0]]));
     }
-    make_surface(nullptr, edit, std::vector<char>(n, 1), m);
+    make_surface(nullptr, edit, std::vector<char>(n, 1), {}, m);
     m.r.assign(in.samples.size(), 0);
     m.near_panel.assign(in.samples.size(), -1);
+    return true;
+  }
+
+  /// The same panels in the same places under other labels: what changes is the vertices that corners stand on.
+  /// \return false, with `m` as it was, if the complex of these labels is another
+  bool relabel(std::vector<int> labels, Panel_model& m) const
+  {
+    Panel_model next;
+    auto topology = std::make_shared<Complex_topology>();
+    next.labels = std::move(labels);
+    if (!Topology_tracer(c, next.labels, m.panels()).trace(*topology, next.corner_vertex)) return false;
+    next.topology = topology;
+    std::vector<int> corner_now;
+    if (!same_complex(*m.topology, *topology, corner_now)) return false;
+    next.state = m.state;
+    for (std::size_t i = 0; i < corner_now.size(); ++i) next.state.corner[corner_now[i]] = m.state.corner[i];
+    put_outer_loops_first(next, *topology);
+    const Label_edit edit = no_edit(next.labels, m.panels());
+    sum_moments(&m, edit, next);
+    const std::vector<char> changed(m.panels(), 0);
+    make_surface(&m, edit, changed, corner_now, next);
+    carry_distances(&m, edit, changed, next);
+    next.work = m.work;
+    m = std::move(next);
     return true;
   }
 
@@ -171,7 +196,7 @@ private:
     for (const std::vector<int>& piece : free_pieces(t, free)) {
       std::vector<char> in_piece(t.number_of_panels(), 0);
       for (int p : piece) in_piece[p] = 1;
-      Plane_corner_system system(t, std::move(in_piece));
+      Plane_corner_system system(t, std::move(in_piece), unfit != nullptr);
       if (first_fit(moments, system, refit, s, 0.3 / double(system.free_corners().size() + 1))) continue;
       if (!unfit) return false;
       fits = false;
@@ -207,9 +232,7 @@ private:
     std::vector<char> differs(n, !old);
     if (old) {
       for (int p = 0; p < n; ++p) differs[p] = edit.old_panel[p] < 0;
-      std::vector<int> now(old->panels(), -1);
-      for (int p = 0; p < n; ++p)
-        if (edit.old_panel[p] >= 0) now[edit.old_panel[p]] = p;
+      const std::vector<int> now = panels_now(*old, edit);
       for (int f = 0; f < c.number_of_faces(); ++f) {
         const int before = now[old->labels[f]];
         if (before == m.labels[f]) continue;
@@ -301,60 +324,6 @@ private:
     }
   }
 
-  /// Faults among panels that did not change are taken over, and looked for only where something did.
-  static void make_surface(const Panel_model* old, const Label_edit& edit, const std::vector<char>& changed,
-                           Panel_model& m)
-  {
-    const int n = m.panels();
-    auto surface = std::make_shared<Panel_surface>(*m.topology);
-    const std::vector<int> corner_now = old ? corners_now(*old, m) : std::vector<int>();
-    std::vector<int> others;
-    for (int p = 0; p < n; ++p)
-      if (!old || changed[p] || edit.old_panel[p] < 0 ||
-          !surface->take(p, *old->surface, edit.old_panel[p], corner_now))
-        others.push_back(p);
-    surface->update(m.state, others);
-    surface->build_tree(m.state);
-    m.surface = surface;
-    m.contacts.clear();
-    if (old) take_contacts(*old, edit, m);
-    renew_contacts(m, changed);
-    m.faults = int(m.contacts.size());
-    for (int p = 0; p < n; ++p) m.faults += !surface->is_simple(p);
-  }
-
-  /// The number that each corner of `old` has in `m`, or -1.
-  static std::vector<int> corners_now(const Panel_model& old, const Panel_model& m)
-  {
-    std::vector<int> result;
-    std::size_t j = 0;
-    for (int v : old.corner_vertex) { // both ascend
-      while (j < m.corner_vertex.size() && m.corner_vertex[j] < v) ++j;
-      result.push_back(j < m.corner_vertex.size() && m.corner_vertex[j] == v ? int(j) : -1);
-    }
-    return result;
-  }
-
-  /// Contacts between panels that exist before and after.
-  static void take_contacts(const Panel_model& old, const Label_edit& edit, Panel_model& m)
-  {
-    if (old.contacts.empty()) return;
-    std::vector<int> now(old.panels(), -1);
-    for (int p = 0; p < m.panels(); ++p)
-      if (edit.old_panel[p] >= 0) now[edit.old_panel[p]] = p;
-    for (const auto& pair : old.contacts)
-      if (now[pair[0]] >= 0 && now[pair[1]] >= 0) m.contacts.push_back({now[pair[0]], now[pair[1]]});
-  }
-
-  /// Looks for contacts of the panels in `changed` anew.
-  static void renew_contacts(Panel_model& m, const std::vector<char>& changed)
-  {
-    const auto lost = [&](const std::array<int, 2>& pair) { return changed[pair[0]] || changed[pair[1]]; };
-    m.contacts.erase(std::remove_if(m.contacts.begin(), m.contacts.end(), lost), m.contacts.end());
-    const auto found = m.surface->conflicts(m.state, changed, 1 << 20);
-    m.contacts.insert(m.contacts.end(), found.begin(), found.end());
-  }
-
   void carry_distances(const Panel_model* old, const Label_edit& edit, const std::vector<char>& changed,
                        Panel_model& m) const
   {
@@ -362,9 +331,7 @@ private:
     m.near_panel.assign(in.samples.size(), -1);
     m.records.clear();
     if (!old) return;
-    std::vector<int> now(old->panels(), -1);
-    for (int p = 0; p < m.panels(); ++p)
-      if (edit.old_panel[p] >= 0) now[edit.old_panel[p]] = p;
+    std::vector<int> now = panels_now(*old, edit);
     for (int p = 0; p < m.panels(); ++p)
       if (changed[p] && edit.old_panel[p] >= 0) now[edit.old_panel[p]] = -1; // its shape changed
     for (std::size_t i = 0; i < m.r.size(); ++i)

@@ -7,6 +7,7 @@
 #include <CGAL/Multiplanar/Approximation_options.h>
 #include <CGAL/Multiplanar/internal/coarsen_panels.h>
 #include <CGAL/Multiplanar/internal/initial_partitions.h>
+#include <CGAL/Multiplanar/internal/mend_ears.h>
 #include <CGAL/Multiplanar/internal/merge_triangles.h>
 #include <CGAL/Multiplanar/internal/panel_places.h>
 #include <CGAL/Multiplanar/internal/teleport.h>
@@ -130,21 +131,26 @@ public:
     return true;
   }
 
-  /// An accepted model merged from the triangles of the mesh; then improved as far as it stays accepted.
+  /// A model merged from the triangles of the mesh, all panels of use; then improved as far as they stay so.
+  /// \param unmapped names the panels that are of no use as they are
   /// \param fewest receives the number of panels that were left
   /// \return false if there is none
-  bool merged_from_triangles(const Model_test& accepted, Panel_model& m, int& fewest)
+  bool merged_from_triangles(const std::function<std::vector<int>(const Panel_model&)>& unmapped, Panel_model& m,
+                             int& fewest)
   {
     const Label_costs costs = label_costs();
-    const auto usable = [&](Panel_model& changed) {
-      mend(costs, changed, nullptr);
-      return changed.faults == 0 && accepted(changed);
-    };
     Accuracy_options few = accuracy();
     few.powers = {4}, few.steps = 3;
-    const bool found = merge_triangles(modeller, few, options.max_panels, usable, m);
+    const auto mended = [&](Panel_model& changed) {
+      std::vector<int> bad = unmapped(changed);
+      if (bad.empty()) return bad;
+      Ear_mender ears(c, changed);
+      if (ears.run(bad) && modeller.relabel(ears.labels, changed)) bad = unmapped(changed);
+      return bad;
+    };
+    const bool found = merge_triangles(modeller, few, options.max_panels, mended, m);
     fewest = m.topology ? m.panels() : c.number_of_faces();
-    if (found) improve_accepted(accepted, m);
+    if (found) improve_accepted([&](const Panel_model& x) { return unmapped(x).empty(); }, m);
     return found;
   }
 

@@ -164,7 +164,8 @@ struct Patience
   bool last_resort; ///< see `Flat_panels_options`
 };
 
-/// Polygons from the partitions, or from coarser ones if those cannot be made flat.
+/// Polygons from the partitions; or, if those cannot be made flat, from the triangles of the mesh; or from coarser
+/// partitions.
 /// \throws No_flat_panels if none were found
 /// \return a result with the mesh mapped into the polygons as its companion (`mapping_of()`)
 inline Flat_panels_result flat_panels_or_fewer(const Connectivity& c, const Points& source, const Label_costs& costs,
@@ -190,6 +191,17 @@ inline Flat_panels_result flat_panels_or_fewer(const Connectivity& c, const Poin
   attempt(partitions);
   const int wanted = options.max_panels;
   options.effort = Effort::fast;
+  int merged_to = 0;
+  if (!flat.ok && c.number_of_faces() <= most_merged_triangles) {
+    Mapping_check mapping_check(c, source);
+    options.merge_triangles = true;
+    flat = flat_panels(c, source, {}, options, progress, obstacles, [&](const Flat_panels_result& candidate) {
+      return mapping_check.unmapped(candidate.panel_of_face, candidate.complex);
+    });
+    mapping_seconds += flat.obstacle_seconds;
+    merged_to = flat.fewest;
+    options.merge_triangles = false;
+  }
   for (int k = wanted; !flat.ok && k > fewest && patience.rounds > 0; --patience.rounds) {
     k = (std::max)(fewest, k - (std::max)(1, 3 * k / 20));
     notes.push_back("no flat panels were found with more than " + std::to_string(k) + " of them");
@@ -207,16 +219,7 @@ inline Flat_panels_result flat_panels_or_fewer(const Connectivity& c, const Poin
     options.last_resort = true;
     attempt(partitions);
   }
-  if (!flat.ok && c.number_of_faces() <= most_merged_triangles) {
-    Mapping_check mapping_check(c, source);
-    options.max_panels = wanted;
-    options.merge_triangles = true;
-    flat = flat_panels(c, source, {}, options, progress, obstacles, [&](const Flat_panels_result& candidate) {
-      return mapping_check(candidate.panel_of_face, candidate.complex);
-    });
-    mapping_seconds += flat.obstacle_seconds;
-  }
-  if (!flat.ok) throw No_flat_panels(wanted, c.genus(), c.number_of_faces(), flat.fewest);
+  if (!flat.ok) throw No_flat_panels(wanted, c.genus(), c.number_of_faces(), merged_to);
   return flat;
 }
 

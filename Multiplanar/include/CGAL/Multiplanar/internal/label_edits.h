@@ -60,6 +60,19 @@ inline void merge_labels(Label_edit& e, int p, int q)
   remove_label(e, q);
 }
 
+/// Panels put into others: `into[p]` is where panel p goes, p itself if it stays. Those that stay keep their order and
+/// planes.
+inline Label_edit merge_panels(const std::vector<int>& labels, const std::vector<int>& into)
+{
+  Label_edit e;
+  std::vector<int> now(into.size(), -1);
+  for (int p = 0; p < int(into.size()); ++p)
+    if (into[p] == p) now[p] = int(e.old_panel.size()), e.old_panel.push_back(p);
+  for (int label : labels) e.labels.push_back(now[into[label]]);
+  e.refit.assign(e.old_panel.size(), 0);
+  return e;
+}
+
 /// A plane that faces are compared with.
 struct Proxy
 {

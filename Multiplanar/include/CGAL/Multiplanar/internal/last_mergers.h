@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
@@ -17,10 +18,10 @@ namespace CGAL {
 namespace Multiplanar {
 namespace internal {
 
-/// Makes a model without faults one of fewer panels, one step at a time, where pairs of neighbours are not enough: a pit
-/// of three walls vanishes only with all of them, for two planes enclose nothing. A step merges two panels that share a
-/// corner, all panels around a corner or around an edge, or all that a hole of a panel encloses; or it shares a panel
-/// out among its neighbours. The step whose panels lie in the thinnest slab comes first.
+/// Makes a model without faults one of fewer panels, one step at a time, where pairs of neighbours are not enough: a
+/// pit of three walls vanishes only with all of them, for two planes enclose nothing. A step merges two panels that
+/// share a corner, all panels around a corner or around an edge, or all that a hole of a panel encloses; or it shares a
+/// panel out among its neighbours. The step whose panels lie in the thinnest slab comes first.
 class Last_mergers
 {
 public:
@@ -196,23 +197,17 @@ private:
     int largest = set[0];
     for (int p : set)
       if (m.moments[p].area > m.moments[largest].area) largest = p;
-    std::vector<int> into(m.panels()), now(m.panels(), -1);
-    for (int p = 0; p < m.panels(); ++p) into[p] = p;
+    std::vector<int> into(m.panels());
+    std::iota(into.begin(), into.end(), 0);
     for (int p : set) into[p] = largest;
-    Label_edit edit;
+    Label_edit edit = merge_panels(m.labels, into);
     edit.near_old = true;
-    for (int p = 0; p < m.panels(); ++p) {
-      if (into[p] != p) continue;
-      now[p] = int(edit.old_panel.size());
-      edit.old_panel.push_back(p);
-      edit.refit.push_back(p == largest);
-    }
-    for (int label : m.labels) edit.labels.push_back(now[into[label]]);
+    for (int p = 0; p < int(edit.old_panel.size()); ++p) edit.refit[p] = edit.old_panel[p] == largest;
     return edit;
   }
 
   static constexpr std::size_t most_enclosed = 12;
-  static constexpr double most_work = 2e7; ///< attempts times faces
+  static constexpr double most_work = 1.5e8; ///< attempts times faces
 
   const Panel_modeller& modeller;
   const Connectivity& c;
@@ -220,7 +215,7 @@ private:
   Accuracy_options accuracy;
   Test usable;
   std::set<Set> failed;
-  int left = 0; ///< attempts
+  int left = 0;        ///< attempts
   double farthest = 1; ///< that a corner may be from its vertex, in diagonals
 };
 

@@ -11,6 +11,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
@@ -19,13 +21,21 @@ namespace CGAL {
 namespace Multiplanar {
 namespace internal {
 
+/// Names the panels of a model without faults that are of no use. To have fewer of them it may change the model, but
+/// not the panels' number and order.
+using Unusable_panels = std::function<std::vector<int>(Panel_model&)>;
+
 /// Merges neighbouring panels of a model without faults, many far from each other at a time, so that it stays without
 /// faults. Started at a panel for each triangle, where nothing is to be made flat, every step has a model that is flat
 /// and embedded to go back to.
 class Merge_rounds
 {
 public:
-  explicit Merge_rounds(const Panel_modeller& modeller) : modeller(modeller), edits(modeller, 1) {}
+  /// \param unusable a merger that makes panels of no use is taken back
+  explicit Merge_rounds(const Panel_modeller& modeller, Unusable_panels unusable = {})
+      : modeller(modeller), edits(modeller, 1), unusable(std::move(unusable))
+  {
+  }
 
   /// Merges until at most `panels` are left. \return false if no more can be merged before
   bool run(int panels, Panel_model& m)
@@ -107,6 +117,8 @@ private:
       if (modeller.displacement(merged, i) > farthest)
         for (int p : merged.topology->corner_panels[i])
           if (touched[p]) guilty.push_back(edit.old_panel[p]);
+    if (merged.faults == 0 && guilty.empty() && unusable)
+      for (int p : unusable(merged)) guilty.push_back(edit.old_panel[p]);
     if (merged.faults == 0 && guilty.empty()) return true;
     for (int p = 0; p < merged.panels(); ++p)
       if (!merged.surface->is_simple(p)) guilty.push_back(edit.old_panel[p]);
@@ -118,25 +130,19 @@ private:
   /// A large panel with many corners takes in a small one without moving.
   static Label_edit merging(const Panel_model& m, const std::vector<Merger>& mergers)
   {
-    std::vector<int> into(m.panels()), now(m.panels(), -1);
-    for (int p = 0; p < m.panels(); ++p) into[p] = p;
-    std::vector<char> grows(m.panels(), 0), held(m.panels(), 0);
-    for (const Merger& merger : mergers) {
-      into[merger.q] = merger.p;
-      grows[merger.p] = 1;
-      held[merger.p] =
-          corners(m, merger.p) >= many_corners && m.moments[merger.p].area > 4 * m.moments[merger.q].area;
-    }
-    Label_edit edit;
+    std::vector<int> into(m.panels());
+    std::iota(into.begin(), into.end(), 0);
+    for (const Merger& merger : mergers) into[merger.q] = merger.p;
+    Label_edit edit = merge_panels(m.labels, into);
     edit.near_old = true;
-    for (int p = 0; p < m.panels(); ++p) {
-      if (into[p] != p) continue;
-      now[p] = int(edit.old_panel.size());
-      edit.old_panel.push_back(p);
-      edit.refit.push_back(grows[p] && !held[p]);
-      edit.held.push_back(held[p]);
+    edit.held.assign(edit.old_panel.size(), 0);
+    std::vector<int> now(m.panels(), -1);
+    for (int p = 0; p < int(edit.old_panel.size()); ++p) now[edit.old_panel[p]] = p;
+    for (const Merger& merger : mergers) {
+      const bool held = corners(m, merger.p) >= many_corners && m.moments[merger.p].area > 4 * m.moments[merger.q].area;
+      edit.held[now[merger.p]] = held;
+      edit.refit[now[merger.p]] = !held;
     }
-    for (int label : m.labels) edit.labels.push_back(now[into[label]]);
     return edit;
   }
 
@@ -187,6 +193,7 @@ private:
 
   const Panel_modeller& modeller;
   Panel_edits edits;
+  Unusable_panels unusable;
   std::set<Key> failed;
   mutable std::vector<int> known_labels, first_face, faces;
 };

@@ -7,12 +7,9 @@
 #include <CGAL/Multiplanar/internal/last_mergers.h>
 #include <CGAL/Multiplanar/internal/merge_rounds.h>
 
-#include <algorithm>
-#include <functional>
-
 // Where no partition leads to flat panels, the mesh itself does: a panel for each triangle needs nothing to be made
-// flat. From there neighbours are merged, cheapest first, each merger only if the polygons stay simple and apart, and the
-// caller accepts them. It starts from many panels, so it takes long, and always has a model that holds.
+// flat. From there neighbours are merged, cheapest first, each merger only if the polygons stay simple and apart, and
+// the caller accepts them. It starts from many panels, so it takes long, and always has a model that holds.
 
 namespace CGAL {
 namespace Multiplanar {
@@ -25,22 +22,17 @@ constexpr int most_merged_triangles = 20000;
 constexpr int too_many = 40;
 
 /// Merges the triangles of a mesh to at most `panels` panels.
-/// \param usable may change a model that it is asked of; what it does not want is not taken
+/// \param unusable asked of every step: all panels of the models that are taken are of use
 /// \param m receives the smallest model found, if any
 /// \return whether there is one of at most `panels`
 inline bool merge_triangles(const Panel_modeller& modeller, const Accuracy_options& accuracy, int panels,
-                            const std::function<bool(Panel_model&)>& usable, Panel_model& m)
+                            const Unusable_panels& unusable, Panel_model& m)
 {
   if (!modeller.of_triangles(m) || m.faults > 0) return false;
-  Merge_rounds rounds(modeller);
-  Panel_model next = m;
-  for (bool more = true; more && next.panels() > 3 * panels;) {
-    more = rounds.run((std::max)(3 * panels, next.panels() / 2), next);
-    Panel_model changed = next;
-    if (usable(changed)) m = std::move(changed);
-  }
+  Merge_rounds(modeller, unusable).run(3 * panels, m);
   if (m.panels() > too_many * panels) return false; // one by one from there would take too long
-  Last_mergers last(modeller, accuracy, usable);
+  Last_mergers last(modeller, accuracy,
+                    [&](Panel_model& changed) { return unusable(changed).empty() && changed.faults == 0; });
   return last.run(panels, m);
 }
 

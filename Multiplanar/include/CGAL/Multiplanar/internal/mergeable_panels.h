@@ -100,8 +100,8 @@ private:
     return true;
   }
 
-  /// Edges between the same corners: the edges of a third panel along `p` and `q` become one where a corner between them
-  /// vanishes.
+  /// Edges between the same corners: the edges of a third panel along `p` and `q` become one where a corner between
+  /// them vanishes.
   bool keeps_ends_distinct(int p, int q, int e) const
   {
     std::vector<std::pair<int, int>> joined;

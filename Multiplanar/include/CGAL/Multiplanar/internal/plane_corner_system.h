@@ -31,6 +31,9 @@ namespace internal {
 //   (C H^-1 C^T) mu = -(C H^-1 f + c),   y = -H^-1 (f + C^T mu).
 // This is the KKT system of planes and all corners with the regular corners eliminated: for k panels, 3 k unknowns
 // instead of about 15 k.
+//
+// A *pinned* corner lies on planes that are not free and meet in one point: dx = 0, and (*) is left for its free
+// panels. Where corners have many panels, as on the triangles of a mesh, most corners around a few free panels are.
 
 /// A linear form in the unknowns, in blocks of three, plus a constant.
 struct Linear_form
@@ -78,8 +81,9 @@ class Plane_corner_system
 {
 public:
   /// \param free which panels may move; the corners on a free panel move with it, on the planes of the others
-  Plane_corner_system(const Complex_topology& topology, std::vector<char> free)
-      : t(topology), free_(std::move(free)), panel_block_(t.number_of_panels(), -1),
+  /// \param pin whether corners are pinned where they can be; else they have unknowns that the constraints make zero
+  Plane_corner_system(const Complex_topology& topology, std::vector<char> free, bool pin = false)
+      : t(topology), free_(std::move(free)), pin_(pin), panel_block_(t.number_of_panels(), -1),
         corner_block_(t.number_of_corners(), -1), moves_(t.number_of_corners(), 0), frames_(t.number_of_panels()),
         inverse_(t.number_of_corners()), miss_(t.number_of_corners(), Vec3::Zero())
   {
@@ -100,8 +104,12 @@ public:
     special_.clear();
     for (int c : free_corners_) {
       corner_block_[c] = -1;
-      if (!make_regular(s, c)) corner_block_[c] = blocks_++, special_.push_back(c);
+      if (make_regular(s, c)) continue;
+      if (!is_pinned(s, c)) corner_block_[c] = blocks_++;
+      special_.push_back(c);
     }
+    is_special_.assign(t.number_of_corners(), 0);
+    for (int c : special_) is_special_[c] = 1;
     make_constraints(s);
   }
 
@@ -116,8 +124,8 @@ public:
   void add_corner_motion(int c, const Vec3& u, Linear_form& form) const
   {
     if (!moves_[c]) return;
-    if (corner_block_[c] >= 0) {
-      form.add(corner_block_[c], u);
+    if (is_special_[c]) {
+      if (corner_block_[c] >= 0) form.add(corner_block_[c], u);
       return;
     }
     const Vec3 v = inverse_[c].transpose() * u;
@@ -157,8 +165,8 @@ public:
   void move_linearly(const Eigen::VectorXd& y, Flat_state& s) const
   {
     for (int c : free_corners_) {
-      if (corner_block_[c] >= 0) {
-        s.corner[c] += y.segment<3>(3 * corner_block_[c]);
+      if (is_special_[c]) {
+        move_special(y, c, s);
         continue;
       }
       Vec3 e = -miss_[c];
@@ -175,7 +183,7 @@ public:
   /// Newton steps, regular ones by intersection. \return false if that fails
   bool move(const Eigen::VectorXd& y, Flat_state& s)
   {
-    for (int c : special_) s.corner[c] += y.segment<3>(3 * corner_block_[c]);
+    for (int c : special_) move_special(y, c, s);
     move_planes(y, s);
     return settle(s);
   }
@@ -196,11 +204,11 @@ public:
       S.diagonal().array() += 1e-13;
       const Eigen::VectorXd y = constraints_.transpose() * S.ldlt().solve(right_side_);
       if (!y.allFinite()) return false;
-      for (int c : special_) s.corner[c] += y.segment<3>(3 * corner_block_[c]);
+      for (int c : special_) move_special(y, c, s);
       move_planes(y, s);
     }
     for (int c : free_corners_)
-      if (corner_block_[c] < 0 && !intersect(s, c)) return false;
+      if (!is_special_[c] && !intersect(s, c)) return false;
     return true;
   }
 
@@ -250,16 +258,38 @@ private:
     return true;
   }
 
+  /// Do the planes around `c` that are not free hold it where it is?
+  bool is_pinned(const Flat_state& s, int c) const
+  {
+    if (!pin_) return false;
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    for (int p : t.corner_panels[c]) {
+      if (free_[p]) continue;
+      if (std::abs(miss(s, c, p)) > 2e-15) return false;
+      sum += s.normal[p] * s.normal[p].transpose();
+    }
+    return sum.determinant() > smallest_spread;
+  }
+
+  bool has_row(int c, int p) const { return corner_block_[c] >= 0 || free_[p]; }
+
+  void move_special(const Eigen::VectorXd& y, int c, Flat_state& s) const
+  {
+    if (corner_block_[c] >= 0) s.corner[c] += y.segment<3>(3 * corner_block_[c]);
+  }
+
   void make_constraints(const Flat_state& s)
   {
     int rows = 0;
-    for (int c : special_) rows += int(t.corner_panels[c].size());
+    for (int c : special_)
+      for (int p : t.corner_panels[c]) rows += has_row(c, p);
     constraints_.setZero(rows, unknowns());
     right_side_.setZero(rows);
     int row = 0;
     for (int c : special_)
       for (int p : t.corner_panels[c]) {
-        constraints_.block<1, 3>(row, 3 * corner_block_[c]) = s.normal[p].transpose();
+        if (!has_row(c, p)) continue;
+        if (corner_block_[c] >= 0) constraints_.block<1, 3>(row, 3 * corner_block_[c]) = s.normal[p].transpose();
         if (free_[p]) constraints_.block<1, 3>(row, 3 * panel_block_[p]) = -incidence(p, s.corner[c]).transpose();
         right_side_[row++] = -miss(s, c, p);
       }
@@ -304,11 +334,13 @@ private:
   }
 
   static constexpr double smallest_determinant = 1e-3;
+  static constexpr double smallest_spread = 1e-6; ///< of normals that pin a corner: the determinant of sum n n^T
 
   const Complex_topology& t;
   std::vector<char> free_;
+  bool pin_;
   std::vector<int> panel_block_, corner_block_;
-  std::vector<char> moves_;
+  std::vector<char> moves_, is_special_;
   std::vector<Frame> frames_;
   std::vector<Eigen::Matrix3d> inverse_;
   std::vector<Vec3> miss_;

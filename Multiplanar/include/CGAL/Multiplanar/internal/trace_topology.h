@@ -6,11 +6,14 @@
 
 #include <CGAL/Multiplanar/internal/Connectivity.h>
 #include <CGAL/Multiplanar/internal/Flat_state.h>
+#include <CGAL/Multiplanar/internal/transfer_geometry.h>
 #include <CGAL/Multiplanar/make_panel_complex.h>
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -164,6 +167,32 @@ private:
   Boundary_walk walk;
   std::vector<int> runs, corner_at, boundary;
 };
+
+/// Whether two topologies are of one complex: the same panels between the same corners. Corners are known by the panels
+/// around them, for no three panels meet at two.
+/// \param now receives the number in `b` of each corner of `a`
+inline bool same_complex(const Complex_topology& a, const Complex_topology& b, std::vector<int>& now)
+{
+  if (a.number_of_panels() != b.number_of_panels() || a.number_of_corners() != b.number_of_corners() ||
+      a.edges.size() != b.edges.size())
+    return false;
+  std::map<std::vector<int>, int> corners;
+  for (int i = 0; i < b.number_of_corners(); ++i) corners[canonical_cycle(b.corner_panels[i])] = i;
+  now.clear();
+  for (const auto& around : a.corner_panels) {
+    const auto found = corners.find(canonical_cycle(around));
+    if (found == corners.end()) return false;
+    now.push_back(found->second);
+  }
+  std::set<std::array<int, 4>> edges;
+  const auto name = [](int p, int q, int i, int j) {
+    return p < q ? std::array<int, 4>{p, q, i, j} : std::array<int, 4>{q, p, j, i};
+  };
+  for (const auto& e : b.edges) edges.insert(name(e.panels[0], e.panels[1], e.corners[0], e.corners[1]));
+  for (const auto& e : a.edges)
+    if (!edges.count(name(e.panels[0], e.panels[1], now[e.corners[0]], now[e.corners[1]]))) return false;
+  return true;
+}
 
 } // namespace internal
 } // namespace Multiplanar
