@@ -189,6 +189,7 @@ public:
     model = std::move(merged);
     result = std::move(trial.result);
     regain(0, model, result);
+    improve_by_search(model, result);
     result.fewest = fewest;
     search.notes.push_back("no partition could be made flat: panels were merged from the triangles of the mesh");
     return true;
@@ -232,6 +233,18 @@ private:
     result = std::move(trials[chosen].result);
     blocked = std::move(trials[chosen].blocked);
     return true;
+  }
+
+  /// The usual search for better panels, if it ends where no obstacles are left.
+  void improve_by_search(Panel_model& model, Flat_panels_result& result)
+  {
+    if (!search.searches()) return;
+    Trial trial;
+    Panel_model next = model;
+    search.search_from(next);
+    trial.result = result_of(c, source, in, next);
+    run(next, trial.result);
+    if (trial.result.ok && next.cost() < model.cost()) model = std::move(next), result = std::move(trial.result);
   }
 
   /// Improves `model` until it costs about as much as before it was changed; what brings obstacles back does not count.
@@ -284,8 +297,7 @@ planes of their panels to 1e-12 of the diagonal. If `ok` is false, no partition 
 inline Flat_panels_result flat_panels(const internal::Connectivity& c, const Points& source,
                                       const std::vector<std::vector<int>>& partitions,
                                       const Flat_panels_options& options, const Flat_panels_progress& progress = {},
-                                      const Flat_panels_obstacles& obstacles = {},
-                                      const Flat_panels_check& check = {})
+                                      const Flat_panels_obstacles& obstacles = {}, const Flat_panels_check& check = {})
 {
   CGAL_precondition(int(source.size()) == c.number_of_vertices());
   internal::Panel_search_options search_options;

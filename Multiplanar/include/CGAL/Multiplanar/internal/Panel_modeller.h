@@ -4,7 +4,7 @@
 #ifndef CGAL_MULTIPLANAR_INTERNAL_PANEL_MODELLER_H
 #define CGAL_MULTIPLANAR_INTERNAL_PANEL_MODELLER_H
 
-#include <CGAL/Multiplanar/internal/Joint_room.h>
+#include <CGAL/Multiplanar/internal/Model_distances.h>
 #include <CGAL/Multiplanar/internal/Panel_model.h>
 #include <CGAL/Multiplanar/internal/accuracy_steps.h>
 #include <CGAL/Multiplanar/internal/cutting_limits.h>
@@ -33,8 +33,8 @@ public:
   /// \param thickness of the sheets, in diagonals; 0: room for joints does not count
   Panel_modeller(const Input_surface& input, double spacing, double min_edge = 0, double min_width = 0,
                  double thickness = 0)
-      : in(input), c(*input.connectivity), spacing(spacing), limits{min_edge, min_width}, joint_room(thickness),
-        face_moments(internal::face_moments(c, input.points))
+      : in(input), c(*input.connectivity), limits{min_edge, min_width},
+        distances(input, spacing, limits, Joint_room(thickness)), face_moments(internal::face_moments(c, input.points))
   {
   }
 
@@ -65,7 +65,7 @@ public:
     if (!fit(m.moments, *topology, touched, refit, m.state, unfit)) return false;
     const std::vector<char> changed = changed_panels(m, touched);
     make_surface(old, edit, changed, old ? corners_now(*old, m) : std::vector<int>(), m);
-    carry_distances(old, edit, changed, m);
+    distances.carry(old, edit, changed, m);
     return true;
   }
 
@@ -111,7 +111,7 @@ public:
     sum_moments(&m, edit, next);
     const std::vector<char> changed(m.panels(), 0);
     make_surface(&m, edit, changed, corner_now, next);
-    carry_distances(&m, edit, changed, next);
+    distances.carry(&m, edit, changed, next);
     next.work = m.work;
     m = std::move(next);
     return true;
@@ -123,15 +123,14 @@ public:
     const std::vector<int> active = active_samples(m, free);
     std::vector<int> likely;
     for (int i : active) likely.push_back(m.near_panel[i] >= 0 ? m.near_panel[i] : m.labels[in.samples[i].face]);
-    Accuracy_steps steps(in, *m.topology, free, active, std::move(likely), spacing, options);
+    Accuracy_steps steps(in, *m.topology, free, active, std::move(likely), distances.spacing(), options);
     auto surface = std::make_shared<Panel_surface>(*m.surface);
     steps.run(m.state, *surface);
     m.surface = surface;
     m.faults += steps.number_of_faults() - steps.faults_before();
     if (!m.contacts.empty()) renew_contacts(m, steps.distances().changed());
     m.work += double(steps.distances().measured());
-    take_records(m, steps);
-    sum_up(m);
+    distances.take(m, steps);
   }
 
   void improve_all(Panel_model& m, const Accuracy_options& options) const
@@ -140,18 +139,7 @@ public:
   }
 
   /// Measures the distances that depend on panels around the corners of `free`.
-  void measure(Panel_model& m, const std::vector<char>& free) const
-  {
-    const std::vector<char> changed = changed_panels(m, free);
-    for (std::size_t i = 0; i < in.samples.size(); ++i)
-      if (m.near_panel[i] < 0 || changed[m.near_panel[i]]) {
-        const auto q = m.surface->closest(in.samples[i].point, m.labels[in.samples[i].face]);
-        m.r[i] = in.importance_of(in.samples[i].face) * std::sqrt(q.squared_distance);
-        m.near_panel[i] = m.surface->panel_of(q.triangle);
-      }
-    renew_records(m, changed);
-    sum_up(m);
-  }
+  void measure(Panel_model& m, const std::vector<char>& free) const { distances.measure(m, changed_panels(m, free)); }
 
   void measure_all(Panel_model& m) const
   {
@@ -175,7 +163,7 @@ public:
     return result;
   }
 
-  double sample_spacing() const { return spacing; }
+  double sample_spacing() const { return distances.spacing(); }
   const Input_surface& input() const { return in; }
   const Connectivity& connectivity() const { return c; }
   const std::vector<Moments>& moments_of_faces() const { return face_moments; }
@@ -324,91 +312,10 @@ private:
     }
   }
 
-  void carry_distances(const Panel_model* old, const Label_edit& edit, const std::vector<char>& changed,
-                       Panel_model& m) const
-  {
-    m.r.assign(in.samples.size(), 0);
-    m.near_panel.assign(in.samples.size(), -1);
-    m.records.clear();
-    if (!old) return;
-    std::vector<int> now = panels_now(*old, edit);
-    for (int p = 0; p < m.panels(); ++p)
-      if (changed[p] && edit.old_panel[p] >= 0) now[edit.old_panel[p]] = -1; // its shape changed
-    for (std::size_t i = 0; i < m.r.size(); ++i)
-      if (old->near_panel[i] >= 0) m.r[i] = old->r[i], m.near_panel[i] = now[old->near_panel[i]];
-    for (Sample_record q : old->records) {
-      bool kept = true;
-      for (int& p : q.owner) p = now[p], kept = kept && p >= 0;
-      if (kept) m.records.push_back(q);
-    }
-  }
-
-  static void drop_records(Panel_model& m, const std::vector<char>& changed)
-  {
-    const auto lost = [&](const Sample_record& q) {
-      return changed[q.owner[0]] || changed[q.owner[1]] || changed[q.owner[2]];
-    };
-    m.records.erase(std::remove_if(m.records.begin(), m.records.end(), lost), m.records.end());
-  }
-
-  /// Takes over what accuracy steps measured last.
-  void take_records(Panel_model& m, const Accuracy_steps& steps) const
-  {
-    drop_records(m, steps.distances().changed());
-    const auto& samples = steps.distances().samples();
-    for (std::size_t i = 0; i < samples.size(); ++i)
-      m.records.push_back({steps.last().to_input[i].r, samples[i].area / in.area, samples[i].near, samples[i].owner});
-    const auto& active = steps.distances().active();
-    for (std::size_t i = 0; i < active.size(); ++i) {
-      m.r[active[i]] = steps.last().to_panels[i].r;
-      m.near_panel[active[i]] = steps.last().to_panels[i].panel;
-    }
-  }
-
-  /// Samples the panels in `changed` anew.
-  void renew_records(Panel_model& m, const std::vector<char>& changed) const
-  {
-    drop_records(m, changed);
-    std::vector<Panel_sample> samples;
-    Panel_sampler(*m.topology, spacing).sample(m.state, *m.surface, changed, samples);
-    for (const Panel_sample& sample : samples) {
-      Vec3 x = Vec3::Zero();
-      for (int j = 0; j < 3; ++j) x += sample.weights.w[j] * m.state.corner[sample.corner[j]];
-      const auto q = in.tree.closest(x, in.nearby(x));
-      m.records.push_back({in.importance_of(q.triangle) * std::sqrt(q.squared_distance), sample.area / in.area,
-                           q.triangle, sample.owner});
-    }
-  }
-
-  void sum_up(Panel_model& m) const
-  {
-    m.offences = limits.count_offences(*m.topology, m.state);
-    m.lack = joint_room.lack(*m.topology, m.state);
-    m.panel_error.assign(m.panels(), 0);
-    m.panel_worst.assign(m.panels(), -1);
-    m.largest = 0;
-    const auto note = [&](double r, int face) {
-      const int p = m.labels[face];
-      if (r > m.panel_error[p] || m.panel_worst[p] < 0) m.panel_error[p] = r, m.panel_worst[p] = face;
-      m.largest = (std::max)(m.largest, r);
-    };
-    for (std::size_t i = 0; i < m.r.size(); ++i) note(m.r[i], in.samples[i].face);
-    for (const auto& q : m.records) note(q.r, q.face);
-    if (!(m.largest > 0)) {
-      m.merit = 0;
-      return;
-    }
-    double sum = 0;
-    for (std::size_t i = 0; i < m.r.size(); ++i) sum += in.samples[i].area / in.area * power(m.r[i] / m.largest, 32);
-    for (const auto& q : m.records) sum += q.area * power(q.r / m.largest, 32);
-    m.merit = m.largest * std::pow(sum, 1.0 / 32);
-  }
-
   const Input_surface& in;
   const Connectivity& c;
-  double spacing;
   Cutting_limits limits;
-  Joint_room joint_room;
+  Model_distances distances;
   std::vector<Moments> face_moments;
 };
 

@@ -4,7 +4,7 @@
 #ifndef CGAL_MULTIPLANAR_INTERNAL_PANEL_SEARCH_H
 #define CGAL_MULTIPLANAR_INTERNAL_PANEL_SEARCH_H
 
-#include <CGAL/Multiplanar/Approximation_options.h>
+#include <CGAL/Multiplanar/internal/Panel_search_options.h>
 #include <CGAL/Multiplanar/internal/coarsen_panels.h>
 #include <CGAL/Multiplanar/internal/initial_partitions.h>
 #include <CGAL/Multiplanar/internal/mend_ears.h>
@@ -26,40 +26,6 @@
 namespace CGAL {
 namespace Multiplanar {
 namespace internal {
-
-struct Panel_search_options
-{
-  int max_panels = 50;
-  Effort effort = Effort::normal;
-  double time_limit = 0;
-  int threads = 0;
-  std::uint64_t seed = 0;
-  double work = 1; ///< multiplies the work of the search
-  double min_edge = 0.002, min_width = 0.002;
-  double thickness = 0; ///< of the sheets; 0: room for joints does not count
-};
-
-/// How much work an effort stands for. Counted in distances measured, not in seconds, so that results can be repeated.
-struct Search_budget
-{
-  int partitions; ///< to start from, besides those given
-  int chains;     ///< kept after the start, each searched on its own
-  int rounds;     ///< after each, the worst chains end; fewer if five in a row gain nothing
-  double work;    ///< of a chain in a round, in distances measured
-};
-
-inline Search_budget search_budget(Effort effort)
-{
-  switch (effort) {
-  case Effort::fast:
-    return {2, 0, 0, 0.};
-  case Effort::normal:
-    return {8, 4, 6, 1.5e6};
-  case Effort::best:
-    return {24, 8, 1 << 20, 6e6};
-  }
-  return {};
-}
 
 /// From partitions to the best model found.
 class Panel_search
@@ -97,6 +63,7 @@ public:
 
   const Panel_modeller& modelled() const { return modeller; }
   int number_of_threads() const { return threads; }
+  bool searches() const { return budget.chains > 0; } ///< whether the effort has more than a start
 
   /// Models with panel `p` of a result of `run` or its surroundings changed: to choose from where `p` is of no use.
   std::vector<Panel_model> reworked(const Panel_model& m, int p)
@@ -148,15 +115,30 @@ public:
       if (ears.run(bad) && modeller.relabel(ears.labels, changed)) bad = unmapped(changed);
       return bad;
     };
-    const bool found = merge_triangles(modeller, few, options.max_panels, mended, m);
+    const auto go_on = [&](int panels) {
+      const double all = c.number_of_faces(), done = std::log(all / panels) / std::log(all / options.max_panels);
+      return !progress || progress(0.15 + 0.8 * (std::min)(1.0, done));
+    };
+    const bool found = merge_triangles(modeller, few, options.max_panels, mended, m, go_on);
     fewest = m.topology ? m.panels() : c.number_of_faces();
     if (found) improve_accepted([&](const Panel_model& x) { return unmapped(x).empty(); }, m);
     return found;
   }
 
+  /// The search for better panels, from one model. What it finds may not be mapped.
+  void search_from(Panel_model& m)
+  {
+    std::vector<Panel_model> models((std::max)(1, budget.chains), m);
+    search(models);
+    m = std::move(models[0]);
+    tidy(m);
+    mend(label_costs(), m, nullptr);
+  }
+
 private:
   void improve_accepted(const Model_test& accepted, Panel_model& m) const
   {
+    modeller.measure_all(m);
     for (int power : accuracy().powers) {
       Panel_model improved = m;
       Accuracy_options a = accuracy();

@@ -4,6 +4,7 @@
 #ifndef CGAL_MULTIPLANAR_INTERNAL_LAST_MERGERS_H
 #define CGAL_MULTIPLANAR_INTERNAL_LAST_MERGERS_H
 
+#include <CGAL/Multiplanar/internal/merge_rounds.h>
 #include <CGAL/Multiplanar/internal/panel_edits.h>
 
 #include <algorithm>
@@ -36,7 +37,7 @@ public:
 
   /// Steps that take corners far from the mesh come last.
   /// \return false if no step leads to at most `panels`; `m` is then the smallest model found
-  bool run(int panels, Panel_model& m)
+  bool run(int panels, Panel_model& m, const Panels_left& go_on = {})
   {
     left = (std::max)(1000, int(most_work / c.number_of_faces()));
     for (double distance : {0.02, 0.05, 0.15, 1.0}) {
@@ -44,6 +45,7 @@ public:
       failed.clear();
       bool any = false; // steps since `failed` was empty
       while (m.panels() > panels && left > 0) {
+        if (go_on && !go_on(m.panels())) return false;
         if (step(m) || dissolve(m)) any = true;
         else if (!any) break;
         else failed.clear(), any = false, improve(m); // what is around them has changed
@@ -89,6 +91,7 @@ private:
 
   void improve(Panel_model& m) const
   {
+    if (m.panels() > most_improved) return;
     Panel_model improved = m;
     modeller.improve_all(improved, accuracy);
     if (improved.faults == 0 && usable(improved)) m = std::move(improved);
@@ -207,6 +210,7 @@ private:
   }
 
   static constexpr std::size_t most_enclosed = 12;
+  static constexpr int most_improved = 400; ///< panels: all of them at a time take time with their third power
   static constexpr double most_work = 1.5e8; ///< attempts times faces
 
   const Panel_modeller& modeller;

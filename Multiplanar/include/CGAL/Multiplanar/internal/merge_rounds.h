@@ -25,6 +25,9 @@ namespace internal {
 /// not the panels' number and order.
 using Unusable_panels = std::function<std::vector<int>(Panel_model&)>;
 
+/// Told now and then how many panels are left; false ends the work.
+using Panels_left = std::function<bool(int)>;
+
 /// Merges neighbouring panels of a model without faults, many far from each other at a time, so that it stays without
 /// faults. Started at a panel for each triangle, where nothing is to be made flat, every step has a model that is flat
 /// and embedded to go back to.
@@ -38,10 +41,11 @@ public:
   }
 
   /// Merges until at most `panels` are left. \return false if no more can be merged before
-  bool run(int panels, Panel_model& m)
+  bool run(int panels, Panel_model& m, const Panels_left& go_on = {})
   {
     bool any = false; // merged since `failed` was empty
     while (m.panels() > panels) {
+      if (go_on && !go_on(m.panels())) return false;
       std::vector<Merger> chosen = choose(m, m.panels() - panels);
       if (!chosen.empty()) any = merge_some(m, std::move(chosen)) || any;
       else if (!any || failed.empty()) return false;

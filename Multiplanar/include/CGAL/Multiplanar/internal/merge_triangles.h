@@ -26,14 +26,14 @@ constexpr int too_many = 40;
 /// \param m receives the smallest model found, if any
 /// \return whether there is one of at most `panels`
 inline bool merge_triangles(const Panel_modeller& modeller, const Accuracy_options& accuracy, int panels,
-                            const Unusable_panels& unusable, Panel_model& m)
+                            const Unusable_panels& unusable, Panel_model& m, const Panels_left& go_on = {})
 {
   if (!modeller.of_triangles(m) || m.faults > 0) return false;
-  Merge_rounds(modeller, unusable).run(3 * panels, m);
+  Merge_rounds(modeller, unusable).run(3 * panels, m, go_on);
   if (m.panels() > too_many * panels) return false; // one by one from there would take too long
   Last_mergers last(modeller, accuracy,
                     [&](Panel_model& changed) { return unusable(changed).empty() && changed.faults == 0; });
-  return last.run(panels, m);
+  return last.run(panels, m, go_on);
 }
 
 } // namespace internal
