@@ -6,6 +6,7 @@
 
 #include <CGAL/Multiplanar/internal/merge_rounds.h>
 #include <CGAL/Multiplanar/internal/panel_edits.h>
+#include <CGAL/Multiplanar/internal/sets_to_merge.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -19,10 +20,9 @@ namespace CGAL {
 namespace Multiplanar {
 namespace internal {
 
-/// Makes a model without faults one of fewer panels, one step at a time, where pairs of neighbours are not enough: a
-/// pit of three walls vanishes only with all of them, for two planes enclose nothing. A step merges two panels that
-/// share a corner, all panels around a corner or around an edge, or all that a hole of a panel encloses; or it shares a
-/// panel out among its neighbours. The step whose panels lie in the thinnest slab comes first.
+/// Makes a model without faults one of fewer panels, one step at a time, where pairs of neighbours are not enough. A
+/// step merges a set of panels (`Sets_to_merge`), shares a panel out among its neighbours, or gives a hole one wall
+/// less. The set whose panels lie in the thinnest slab comes first.
 class Last_mergers
 {
 public:
@@ -46,7 +46,7 @@ public:
       bool any = false; // steps since `failed` was empty
       while (m.panels() > panels && left > 0) {
         if (go_on && !go_on(m.panels())) return false;
-        if (step(m) || dissolve(m)) any = true;
+        if (step(m) || dissolve(m) || turn_walls(m)) any = true;
         else if (!any) break;
         else failed.clear(), any = false, improve(m); // what is around them has changed
       }
@@ -55,13 +55,13 @@ public:
   }
 
 private:
-  using Set = std::vector<int>; ///< panels, ascending
+  using Set = Sets_to_merge::Set;
 
   bool step(Panel_model& m)
   {
     const std::vector<std::vector<int>> faces = faces_of_panels(m);
     std::vector<std::pair<double, Set>> order;
-    for (const Set& set : candidates(m)) order.emplace_back(thickness(m, faces, set), set);
+    for (const Set& set : Sets_to_merge(*m.topology).all()) order.emplace_back(thickness(m, faces, set), set);
     std::stable_sort(order.begin(), order.end());
     for (const auto& entry : order) {
       if (left <= 0) return false;
@@ -86,6 +86,22 @@ private:
       Label_edit edit = edits.dissolve(m, entry.second);
       if (accept_clipped(m, edit)) return true;
     }
+    return false;
+  }
+
+  /// Gives a hole fewer walls, which all may turn: no two neighbours of five walls are near one plane.
+  bool turn_walls(Panel_model& m)
+  {
+    for (int p = 0; p < m.panels(); ++p)
+      for (std::size_t l = 1; l < m.topology->loops[p].size(); ++l) {
+        const Set along = Sets_to_merge(*m.topology).walls(p, m.topology->loops[p][l]);
+        if (along.size() < 4) continue;
+        for (int gone : along) {
+          if (left <= 0) return false;
+          Label_edit edit = edits.divide_among_others(m, along, gone);
+          if (accept_clipped(m, edit)) return true;
+        }
+      }
     return false;
   }
 
@@ -115,48 +131,6 @@ private:
     std::vector<char> used(edit.old_panel.size(), 0);
     for (int label : edit.labels) used[label] = 1;
     return std::find(used.begin(), used.end(), 0) == used.end() && accept(m, edit);
-  }
-
-  static std::set<Set> candidates(const Panel_model& m)
-  {
-    const Complex_topology& t = *m.topology;
-    std::set<Set> sets;
-    const auto add = [&](Set set) {
-      std::sort(set.begin(), set.end());
-      set.erase(std::unique(set.begin(), set.end()), set.end());
-      if (set.size() >= 2 && int(set.size()) + 3 <= m.panels()) sets.insert(std::move(set));
-    };
-    for (const auto& around : t.corner_panels) {
-      add(around);
-      for (std::size_t i = 0; i < around.size(); ++i)
-        for (std::size_t j = i + 1; j < around.size(); ++j) add({around[i], around[j]});
-    }
-    for (const auto& e : t.edges) {
-      Set both;
-      for (int x : e.corners) both.insert(both.end(), t.corner_panels[x].begin(), t.corner_panels[x].end());
-      add(std::move(both));
-    }
-    for (int p = 0; p < m.panels(); ++p)
-      for (std::size_t l = 1; l < t.loops[p].size(); ++l) add(enclosed(m, p, t.loops[p][l]));
-    return sets;
-  }
-
-  /// Panel `p` and all panels behind its hole `loop`, if these are few; or else nothing.
-  static Set enclosed(const Panel_model& m, int p, const std::vector<int>& loop)
-  {
-    std::set<int> found{p};
-    Set open;
-    for (int x : loop)
-      for (int q : m.topology->corner_panels[x])
-        if (found.insert(q).second) open.push_back(q);
-    while (!open.empty()) {
-      const int q = open.back();
-      open.pop_back();
-      for (int r : Panel_edits::neighbours(m, q))
-        if (found.insert(r).second) open.push_back(r);
-      if (found.size() > most_enclosed) return {};
-    }
-    return {found.begin(), found.end()};
   }
 
   std::vector<std::vector<int>> faces_of_panels(const Panel_model& m) const
@@ -209,8 +183,7 @@ private:
     return edit;
   }
 
-  static constexpr std::size_t most_enclosed = 12;
-  static constexpr int most_improved = 400; ///< panels: all of them at a time take time with their third power
+  static constexpr int most_improved = 400;  ///< panels: all of them at a time take time with their third power
   static constexpr double most_work = 1.5e8; ///< attempts times faces
 
   const Panel_modeller& modeller;

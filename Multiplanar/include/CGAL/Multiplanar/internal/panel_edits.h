@@ -117,6 +117,19 @@ public:
     return e;
   }
 
+  /// The faces of `panels` divided anew among all of them but `gone`.
+  Label_edit divide_among_others(const Panel_model& m, const std::vector<int>& panels, int gone) const
+  {
+    Label_edit e = no_edit(m.labels, m.panels());
+    std::vector<Proxy> proxies;
+    std::vector<int> others;
+    for (int q : panels)
+      if (q != gone) others.push_back(q), proxies.push_back(plane_of(m, q)), e.refit[q] = 1;
+    lloyd(faces_of(m, panels), proxies, others, std::vector<int>(others.size(), -1), e, 5);
+    remove_label(e, gone);
+    return e;
+  }
+
   /// Edge e between panels A and B ends between C and D: gives C the faces of A and B along it, so that C and D meet
   /// and A and B part. \param end which of the edge's corners C is at \return false if that end has more than three
   /// panels
