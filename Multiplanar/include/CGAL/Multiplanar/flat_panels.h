@@ -189,7 +189,6 @@ public:
     model = std::move(merged);
     result = std::move(trial.result);
     regain(0, model, result);
-    improve_by_search(model, result);
     result.fewest = fewest;
     search.notes.push_back("no partition could be made flat: panels were merged from the triangles of the mesh");
     return true;
@@ -233,18 +232,6 @@ private:
     result = std::move(trials[chosen].result);
     blocked = std::move(trials[chosen].blocked);
     return true;
-  }
-
-  /// The usual search for better panels, if it ends where no obstacles are left.
-  void improve_by_search(Panel_model& model, Flat_panels_result& result)
-  {
-    if (!search.searches()) return;
-    Trial trial;
-    Panel_model next = model;
-    search.search_from(next);
-    trial.result = result_of(c, source, in, next);
-    run(next, trial.result);
-    if (trial.result.ok && next.cost() < model.cost()) model = std::move(next), result = std::move(trial.result);
   }
 
   /// Improves `model` until it costs about as much as before it was changed; what brings obstacles back does not count.

@@ -112,6 +112,7 @@ public:
     const std::vector<char> changed(m.panels(), 0);
     make_surface(&m, edit, changed, corner_now, next);
     distances.carry(&m, edit, changed, next);
+    if (!m.panel_error.empty()) distances.measure(next, changed); // which panel has which distance is another
     next.work = m.work;
     m = std::move(next);
     return true;

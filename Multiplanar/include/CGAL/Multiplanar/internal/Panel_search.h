@@ -63,7 +63,6 @@ public:
 
   const Panel_modeller& modelled() const { return modeller; }
   int number_of_threads() const { return threads; }
-  bool searches() const { return budget.chains > 0; } ///< whether the effort has more than a start
 
   /// Models with panel `p` of a result of `run` or its surroundings changed: to choose from where `p` is of no use.
   std::vector<Panel_model> reworked(const Panel_model& m, int p)
@@ -121,21 +120,30 @@ public:
     };
     const bool found = merge_triangles(modeller, few, options.max_panels, mended, m, go_on);
     fewest = m.topology ? m.panels() : c.number_of_faces();
-    if (found) improve_accepted([&](const Panel_model& x) { return unmapped(x).empty(); }, m);
-    return found;
-  }
-
-  /// The search for better panels, from one model. What it finds may not be mapped.
-  void search_from(Panel_model& m)
-  {
-    std::vector<Panel_model> models((std::max)(1, budget.chains), m);
-    search(models);
-    m = std::move(models[0]);
-    tidy(m);
-    mend(label_costs(), m, nullptr);
+    if (!found) return false;
+    improve_accepted([&](const Panel_model& x) { return unmapped(x).empty(); }, m);
+    search_usable([&](Panel_model& x) { return mended(x).empty() && x.faults == 0; }, m);
+    return true;
   }
 
 private:
+  /// One chain of improvements and kicks through models of use only.
+  void search_usable(const std::function<bool(Panel_model&)>& usable, Panel_model& best) const
+  {
+    Teleport_search t(modeller, options.max_panels, threads);
+    t.local_options = local_accuracy();
+    t.usable = usable;
+    std::mt19937_64 random(options.seed * 1000003 + 7);
+    Panel_model m = best;
+    while (t.work < budget.merged * options.work && !out_of_time()) {
+      if (t.improve_once(m)) continue;
+      if (ranks_before(m, best)) best = m;
+      m = best;
+      if (!t.kick(m, random) || !usable(m)) m = best, t.work += 0.01 * budget.merged;
+    }
+    if (ranks_before(m, best)) best = m;
+  }
+
   void improve_accepted(const Model_test& accepted, Panel_model& m) const
   {
     modeller.measure_all(m);

@@ -31,17 +31,18 @@ struct Search_budget
   int chains;     ///< kept after the start, each searched on its own
   int rounds;     ///< after each, the worst chains end; fewer if five in a row gain nothing
   double work;    ///< of a chain in a round, in distances measured
+  double merged;  ///< of the search that starts at panels merged from triangles
 };
 
 inline Search_budget search_budget(Effort effort)
 {
   switch (effort) {
   case Effort::fast:
-    return {2, 0, 0, 0.};
+    return {2, 0, 0, 0., 3e6};
   case Effort::normal:
-    return {8, 4, 6, 1.5e6};
+    return {8, 4, 6, 1.5e6, 1.5e7};
   case Effort::best:
-    return {24, 8, 1 << 20, 6e6};
+    return {24, 8, 1 << 20, 6e6, 6e7};
   }
   return {};
 }

@@ -7,6 +7,8 @@
 #include <CGAL/Multiplanar/internal/last_mergers.h>
 #include <CGAL/Multiplanar/internal/merge_rounds.h>
 
+#include <algorithm>
+
 // Where no partition leads to flat panels, the mesh itself does: a panel for each triangle needs nothing to be made
 // flat. From there neighbours are merged, cheapest first, each merger only if the polygons stay simple and apart, and
 // the caller accepts them. It starts from many panels, so it takes long, and always has a model that holds.
@@ -17,6 +19,10 @@ namespace internal {
 
 /// Faces of a mesh whose triangles are merged.
 constexpr int most_merged_triangles = 20000;
+
+/// Pairs are merged down to so many panels, or to as many as are wanted. That does not depend on fewer that are wanted,
+/// so that who asks for as many as were found for fewer gets them.
+constexpr int merged_in_pairs = 120;
 
 /// For each panel wanted, what is left to merge one by one at most.
 constexpr int too_many = 40;
@@ -29,7 +35,7 @@ inline bool merge_triangles(const Panel_modeller& modeller, const Accuracy_optio
                             const Unusable_panels& unusable, Panel_model& m, const Panels_left& go_on = {})
 {
   if (!modeller.of_triangles(m) || m.faults > 0) return false;
-  Merge_rounds(modeller, unusable).run(3 * panels, m, go_on);
+  Merge_rounds(modeller, unusable).run((std::max)(merged_in_pairs, panels), m, go_on);
   if (m.panels() > too_many * panels) return false; // one by one from there would take too long
   Last_mergers last(modeller, accuracy,
                     [&](Panel_model& changed) { return unusable(changed).empty() && changed.faults == 0; });

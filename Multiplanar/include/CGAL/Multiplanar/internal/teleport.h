@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <random>
 #include <set>
 #include <thread>
@@ -59,6 +60,9 @@ public:
 
   Accuracy_options local_options;
   double work = 0; ///< done so far, in distances measured
+
+  /// Asked, if given, of models that `improve_once()` would take, and may change them; those it refuses are not taken.
+  std::function<bool(Panel_model&)> usable;
 
   /// All pairs of neighbours, cheapest first.
   std::vector<Merge_candidate> cheapest_merges(const Panel_model& m) const { return edits.merges(m); }
@@ -245,7 +249,8 @@ private:
     std::vector<int> all(m.panels());
     for (int p = 0; p < m.panels(); ++p) all[p] = p;
     Panel_model result;
-    if (!attempt_edit(m, edits.share(m, all), options_to_beat(m), result) || !is_better(result, m, least_gain))
+    if (!attempt_edit(m, edits.share(m, all), options_to_beat(m), result) || !is_better(result, m, least_gain) ||
+        !is_usable(result))
       return false;
     m = std::move(result);
     return true;
@@ -261,15 +266,7 @@ private:
     std::vector<Panel_model> results;
     std::vector<char> ok;
     attempt_all(m, candidates, options_to_beat(m), results, ok);
-    int best = -1;
-    for (int i = 0; i < int(results.size()); ++i)
-      if (ok[i] && results[i].panels() <= max_panels && is_better(results[i], m, least_gain) &&
-          (best < 0 || ranks_before(results[i], results[best])))
-        best = i;
-    if (best >= 0) {
-      m = std::move(results[best]);
-      return true;
-    }
+    if (take_best(m, results, ok)) return true;
     for (int i = 0; i < int(results.size()); ++i)
       if (ok[i] && results[i].panels() > max_panels && is_better(results[i], m, least_gain) &&
           merge_back(m, p, results[i], merges))
@@ -309,14 +306,27 @@ private:
     std::vector<Panel_model> results;
     std::vector<char> ok;
     attempt_all(larger, candidates, options_to_beat(m), results, ok);
-    int best = -1;
-    for (int i = 0; i < int(results.size()); ++i)
-      if (ok[i] && is_better(results[i], m, least_gain) && (best < 0 || ranks_before(results[i], results[best])))
-        best = i;
-    if (best < 0) return false;
-    m = std::move(results[best]);
-    return true;
+    return take_best(m, results, ok);
   }
+
+  /// Takes the best of the results that are better than `m`, not too many panels, and of use. \return false if none is
+  bool take_best(Panel_model& m, std::vector<Panel_model>& results, std::vector<char>& ok) const
+  {
+    for (;;) {
+      int best = -1;
+      for (int i = 0; i < int(results.size()); ++i)
+        if (ok[i] && results[i].panels() <= max_panels && is_better(results[i], m, least_gain) &&
+            (best < 0 || ranks_before(results[i], results[best])))
+          best = i;
+      if (best < 0) return false;
+      ok[best] = 0;
+      if (!is_usable(results[best])) continue;
+      m = std::move(results[best]);
+      return true;
+    }
+  }
+
+  bool is_usable(Panel_model& m) const { return !usable || usable(m); }
 
   /// Steps for edits that count only if the result is better than `m`.
   Accuracy_options options_to_beat(const Panel_model& m) const
