@@ -190,7 +190,6 @@ inline Flat_panels_result flat_panels_or_fewer(const Connectivity& c, const Poin
   };
   attempt(partitions);
   const int wanted = options.max_panels;
-  options.effort = Effort::fast;
   int merged_to = 0;
   if (!flat.ok && c.number_of_faces() <= most_merged_triangles) {
     Mapping_check mapping_check(c, source);
@@ -202,6 +201,7 @@ inline Flat_panels_result flat_panels_or_fewer(const Connectivity& c, const Poin
     merged_to = flat.fewest;
     options.merge_triangles = false;
   }
+  options.effort = Effort::fast;
   for (int k = wanted; !flat.ok && k > fewest && patience.rounds > 0; --patience.rounds) {
     k = (std::max)(fewest, k - (std::max)(1, 3 * k / 20));
     notes.push_back("no flat panels were found with more than " + std::to_string(k) + " of them");
