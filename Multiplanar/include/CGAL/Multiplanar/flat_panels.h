@@ -190,7 +190,8 @@ public:
     result = std::move(trial.result);
     regain(0, model, result);
     result.fewest = fewest;
-    search.notes.push_back("no partition could be made flat: panels were merged from the triangles of the mesh");
+    search.notes.push_back(
+        "no partition led to flat panels that the mesh fits into: they were merged from its triangles");
     return true;
   }
 
@@ -307,6 +308,8 @@ inline Flat_panels_result flat_panels(const internal::Connectivity& c, const Poi
     const Flat_panels_obstacles none = [](Flat_panels_result&) { return std::vector<int>(); };
     internal::Panel_rework rework(c, source, input, search, obstacles ? obstacles : none, 64);
     result.ok = rework.merge_triangles(check, model, result);
+    if (result.ok && model.offences > 0)
+      search.notes.push_back(internal::note_of_offences(input, search, model, result.complex));
     if (result.ok) internal::measure_panels(c, source, input.scale, result);
     result.notes = search.notes;
     return result;

@@ -4,6 +4,7 @@
 #ifndef CGAL_MULTIPLANAR_INTERNAL_MAPPING_CHECK_H
 #define CGAL_MULTIPLANAR_INTERNAL_MAPPING_CHECK_H
 
+#include <CGAL/Multiplanar/internal/embedding.h>
 #include <CGAL/Multiplanar/internal/flat_ears.h>
 #include <CGAL/Multiplanar/internal/panel_targets.h>
 
@@ -34,6 +35,18 @@ public:
     for (int p = 0; p < complex.number_of_panels(); ++p)
       if (bad.count(names[p])) result.push_back(p);
     return result;
+  }
+
+  /// \return panels with faces that meet where they are mapped to, though the polygons are apart: by less than
+  /// rounding. Nothing is remembered.
+  std::vector<int> touching(const std::vector<int>& labels, const Panel_complex& complex) const
+  {
+    std::vector<int> failed;
+    const Points all = panel_targets(c, shape, labels, complex, failed);
+    if (!failed.empty()) return failed;
+    const auto fault = find_embedding_fault(c, all);
+    if (!fault) return {};
+    return {labels[fault->first], labels[fault->second]};
   }
 
 private:

@@ -38,6 +38,7 @@ public:
     m.r.assign(in.samples.size(), 0);
     m.near_panel.assign(in.samples.size(), -1);
     m.records.clear();
+    m.panel_error.clear(), m.panel_worst.clear(); // nothing is summed up
     if (!old) return;
     std::vector<int> now = panels_now(*old, edit);
     for (int p = 0; p < m.panels(); ++p)
@@ -117,6 +118,8 @@ private:
     };
     for (std::size_t i = 0; i < m.r.size(); ++i) note(m.r[i], in.samples[i].face);
     for (const auto& q : m.records) note(q.r, q.face);
+    for (int f = 0; f < int(m.labels.size()); ++f) // panels so small that no sample is on them
+      if (m.panel_worst[m.labels[f]] < 0) m.panel_worst[m.labels[f]] = f;
     if (!(m.largest > 0)) {
       m.merit = 0;
       return;

@@ -15,7 +15,6 @@
 #include <CGAL/Multiplanar/internal/trace_topology.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <numeric>
 #include <unordered_map>
@@ -43,7 +42,8 @@ public:
   /// \param old the model before, or null: everything is new
   /// Panels that are free in different places are fitted apart.
   /// \param touched receives the panels that were free
-  /// \param unfit if given, receives all free panels where a fit failed, in place of those of the first only
+  /// \param unfit if given, receives all free panels where a fit failed, in place of those of the first only; it is for
+  /// many changes of small panels, and corners that can be are pinned then (`Plane_corner_system`)
   /// \return false if the labels cannot be made flat, or a fit fails
   bool rebuild(const Panel_model* old, const Label_edit& edit, Panel_model& m, std::vector<char>& touched,
                std::vector<int>* unfit = nullptr) const

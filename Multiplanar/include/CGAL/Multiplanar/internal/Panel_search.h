@@ -13,8 +13,9 @@
 #include <CGAL/Multiplanar/internal/teleport.h>
 #include <CGAL/Multiplanar/panel_partition.h>
 
-#include <atomic>
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <random>
@@ -99,12 +100,11 @@ public:
 
   /// A model merged from the triangles of the mesh, all panels of use; then improved as far as they stay so.
   /// \param unmapped names the panels that are of no use as they are
-  /// \param fewest receives the number of panels that were left
+  /// \param fewest receives the number of panels that were left; 0 if nothing was merged, or it was stopped
   /// \return false if there is none
   bool merged_from_triangles(const std::function<std::vector<int>(const Panel_model&)>& unmapped, Panel_model& m,
                              int& fewest)
   {
-    const Label_costs costs = label_costs();
     Accuracy_options few = accuracy();
     few.powers = {4}, few.steps = 3;
     const auto mended = [&](Panel_model& changed) {
@@ -114,15 +114,17 @@ public:
       if (ears.run(bad) && modeller.relabel(ears.labels, changed)) bad = unmapped(changed);
       return bad;
     };
+    bool stopped = false;
     const auto go_on = [&](int panels) {
       const double all = c.number_of_faces(), done = std::log(all / panels) / std::log(all / options.max_panels);
-      return !progress || progress(0.15 + 0.8 * (std::min)(1.0, done));
+      stopped = stopped || out_of_time() || (progress && !progress(0.15 + 0.8 * (std::min)(1.0, done)));
+      return !stopped;
     };
     const bool found = merge_triangles(modeller, few, options.max_panels, mended, m, go_on);
-    fewest = m.topology ? m.panels() : c.number_of_faces();
+    fewest = !stopped && m.topology && m.panels() < c.number_of_faces() ? m.panels() : 0;
     if (!found) return false;
     improve_accepted([&](const Panel_model& x) { return unmapped(x).empty(); }, m);
-    search_usable([&](Panel_model& x) { return mended(x).empty() && x.faults == 0; }, m);
+    if (!stopped) search_usable([&](Panel_model& x) { return mended(x).empty() && x.faults == 0; }, m);
     return true;
   }
 
@@ -136,6 +138,7 @@ private:
     std::mt19937_64 random(options.seed * 1000003 + 7);
     Panel_model m = best;
     while (t.work < budget.merged * options.work && !out_of_time()) {
+      if (progress && !progress(0.95 + 0.05 * (std::min)(1.0, t.work / (budget.merged * options.work)))) break;
       if (t.improve_once(m)) continue;
       if (ranks_before(m, best)) best = m;
       m = best;

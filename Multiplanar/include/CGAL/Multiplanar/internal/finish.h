@@ -164,6 +164,10 @@ struct Patience
   bool last_resort; ///< see `Flat_panels_options`
 };
 
+/// From so many panels on, merging asks at every step whether the mesh is embedded where it is mapped to; that takes
+/// time in proportion to all faces, and panels closer than rounding are few before.
+constexpr int embedded_when_mapped = 200;
+
 /// Polygons from the partitions; or, if those cannot be made flat, from the triangles of the mesh; or from coarser
 /// partitions.
 /// \throws No_flat_panels if none were found
@@ -195,7 +199,10 @@ inline Flat_panels_result flat_panels_or_fewer(const Connectivity& c, const Poin
     Mapping_check mapping_check(c, source);
     options.merge_triangles = true;
     flat = flat_panels(c, source, {}, options, progress, obstacles, [&](const Flat_panels_result& candidate) {
-      return mapping_check.unmapped(candidate.panel_of_face, candidate.complex);
+      std::vector<int> bad = mapping_check.unmapped(candidate.panel_of_face, candidate.complex);
+      if (bad.empty() && candidate.complex.number_of_panels() <= embedded_when_mapped)
+        bad = mapping_check.touching(candidate.panel_of_face, candidate.complex);
+      return bad;
     });
     mapping_seconds += flat.obstacle_seconds;
     merged_to = flat.fewest;
@@ -265,8 +272,12 @@ inline void finish(const Connectivity& c, const Points& source, const std::vecto
     result.notes.push_back("the panel " + place + " was merged with a neighbour: the mesh could not be moved there");
     const Stopwatch::Lap lap(clock, "flat panels");
     flat_options.max_panels = done.flat.complex.number_of_panels() - 1;
-    flat = flat_panels_or_fewer(c, source, costs, {labels}, flat_options, fewest_panels(c.genus()), visitor,
-                                result.notes, mapping_seconds);
+    try {
+      flat = flat_panels_or_fewer(c, source, costs, {labels}, flat_options, fewest_panels(c.genus()), visitor,
+                                  result.notes, mapping_seconds);
+    } catch (const No_flat_panels&) { // with as many as were asked for it could not be moved there
+      throw No_flat_panels(options.panels, c.genus(), c.number_of_faces());
+    }
     done = move_to_panels(c, source, flat, clock);
   }
   result.points = std::move(done.points);

@@ -37,15 +37,15 @@ public:
 
   /// Steps that take corners far from the mesh come last.
   /// \return false if no step leads to at most `panels`; `m` is then the smallest model found
-  bool run(int panels, Panel_model& m, const Panels_left& go_on = {})
+  bool run(int panels, Panel_model& m, const Panels_left& asked = {})
   {
+    go_on = asked;
     left = (std::max)(1000, int(most_work / c.number_of_faces()));
     for (double distance : {0.02, 0.05, 0.15, 1.0}) {
       farthest = distance;
       failed.clear();
       bool any = false; // steps since `failed` was empty
       while (m.panels() > panels && left > 0) {
-        if (go_on && !go_on(m.panels())) return false;
         if (step(m) || dissolve(m) || turn_walls(m)) any = true;
         else if (!any) break;
         else failed.clear(), any = false, improve(m); // what is around them has changed
@@ -92,9 +92,10 @@ private:
   /// Gives a hole fewer walls, which all may turn: no two neighbours of five walls are near one plane.
   bool turn_walls(Panel_model& m)
   {
+    const Sets_to_merge sets(*m.topology);
     for (int p = 0; p < m.panels(); ++p)
       for (std::size_t l = 1; l < m.topology->loops[p].size(); ++l) {
-        const Set along = Sets_to_merge(*m.topology).walls(p, m.topology->loops[p][l]);
+        const Set along = sets.walls(p, m.topology->loops[p][l]);
         if (along.size() < 4) continue;
         for (int gone : along) {
           if (left <= 0) return false;
@@ -116,6 +117,7 @@ private:
   bool accept(Panel_model& m, const Label_edit& edit)
   {
     --left;
+    if (go_on && !go_on(m.panels())) left = 0;
     Panel_model result;
     std::vector<char> touched;
     if (!modeller.rebuild(&m, edit, result, touched) || result.faults > 0) return false;
@@ -191,6 +193,7 @@ private:
   Panel_edits edits;
   Accuracy_options accuracy;
   Test usable;
+  Panels_left go_on;
   std::set<Set> failed;
   int left = 0;        ///< attempts
   double farthest = 1; ///< that a corner may be from its vertex, in diagonals

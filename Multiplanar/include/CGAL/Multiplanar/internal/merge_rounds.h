@@ -40,7 +40,7 @@ public:
   {
   }
 
-  /// Merges until at most `panels` are left. \return false if no more can be merged before
+  /// Merges until at most `panels` are left. \return false if no more can be merged before, or it is stopped
   bool run(int panels, Panel_model& m, const Panels_left& go_on = {})
   {
     bool any = false; // merged since `failed` was empty
@@ -57,8 +57,9 @@ public:
 private:
   struct Merger
   {
-    int p, q;              ///< q goes into p
-    std::vector<int> ring; ///< all panels that share a corner with one of them, and both
+    int p, q;               ///< q goes into p
+    std::vector<int> ring;  ///< all panels that share a corner with one of them, and both
+    std::vector<int> reach; ///< all panels that share a corner with one of the ring: what may change
   };
   using Key = std::array<int, 4>;
 
@@ -94,14 +95,15 @@ private:
     std::size_t seen = 0;
     for (const auto& entry : order) {
       if (int(result.size()) == most || (seen == cheap && !result.empty())) break;
-      Merger merger{entry.second.first, entry.second.second, {}};
+      Merger merger{entry.second.first, entry.second.second, {}, {}};
       if (failed.count(key(m, merger))) continue;
       if (!mergeable(merger.p, merger.q)) continue;
       ++seen;
       if (corners(m, merger.p) < corners(m, merger.q)) std::swap(merger.p, merger.q);
       merger.ring = mergeable.around({merger.p, merger.q});
       if (std::any_of(merger.ring.begin(), merger.ring.end(), [&](int p) { return taken[p]; })) continue;
-      for (int p : mergeable.around(merger.ring)) taken[p] = 1;
+      merger.reach = mergeable.around(merger.ring);
+      for (int p : merger.reach) taken[p] = 1;
       result.push_back(std::move(merger));
     }
     return result;
@@ -117,10 +119,13 @@ private:
       for (int p : unfit) guilty.push_back(edit.old_panel[p]);
       return false;
     }
-    for (int i = 0; i < merged.topology->number_of_corners(); ++i)
-      if (modeller.displacement(merged, i) > farthest)
+    const std::vector<int> before = corners_now(merged, m);
+    for (int i = 0; i < merged.topology->number_of_corners(); ++i) {
+      const double was = before[i] >= 0 ? modeller.displacement(m, before[i]) : 0; // a mended ear may have put it far
+      if (modeller.displacement(merged, i) > (std::max)(farthest, was))
         for (int p : merged.topology->corner_panels[i])
           if (touched[p]) guilty.push_back(edit.old_panel[p]);
+    }
     if (merged.faults == 0 && guilty.empty() && unusable)
       for (int p : unusable(merged)) guilty.push_back(edit.old_panel[p]);
     if (merged.faults == 0 && guilty.empty()) return true;
@@ -155,17 +160,25 @@ private:
   {
     std::vector<char> is_guilty(m.panels(), 0);
     for (int p : guilty) is_guilty[p] = 1;
-    std::vector<Merger> kept;
-    for (Merger& merger : mergers) {
-      if (std::any_of(merger.ring.begin(), merger.ring.end(), [&](int p) { return is_guilty[p]; }))
-        failed.insert(key(m, merger));
-      else kept.push_back(std::move(merger));
-    }
-    if (kept.size() == mergers.size()) {
-      if (kept.size() == 1) failed.insert(key(m, kept[0]));
-      kept.resize(kept.size() / 2);
-    }
-    mergers = std::move(kept);
+    const auto any = [&](const std::vector<int>& panels) {
+      return std::any_of(panels.begin(), panels.end(), [&](int p) { return is_guilty[p]; });
+    };
+    if (drop_if(m, mergers, [&](const Merger& merger) { return any(merger.ring); })) return;
+    if (drop_if(m, mergers, [&](const Merger& merger) { return any(merger.reach); })) return;
+    if (mergers.size() == 1) failed.insert(key(m, mergers[0]));
+    mergers.resize(mergers.size() / 2);
+  }
+
+  /// \return whether there were any
+  template <class F>
+  bool drop_if(const Panel_model& m, std::vector<Merger>& mergers, F blamed)
+  {
+    const auto first =
+        std::stable_partition(mergers.begin(), mergers.end(), [&](const Merger& x) { return !blamed(x); });
+    const bool any = first != mergers.end();
+    for (auto i = first; i != mergers.end(); ++i) failed.insert(key(m, *i));
+    mergers.erase(first, mergers.end());
+    return any;
   }
 
   static int corners(const Panel_model& m, int p)

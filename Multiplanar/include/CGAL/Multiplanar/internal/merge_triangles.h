@@ -36,6 +36,7 @@ inline bool merge_triangles(const Panel_modeller& modeller, const Accuracy_optio
 {
   if (!modeller.of_triangles(m) || m.faults > 0) return false;
   Merge_rounds(modeller, unusable).run((std::max)(merged_in_pairs, panels), m, go_on);
+  if (m.panels() <= panels) return true;
   if (m.panels() > too_many * panels) return false; // one by one from there would take too long
   Last_mergers last(modeller, accuracy,
                     [&](Panel_model& changed) { return unusable(changed).empty() && changed.faults == 0; });

@@ -21,7 +21,7 @@ namespace internal {
 class Sets_to_merge
 {
 public:
-  using Set = std::vector<int>; ///< panels, ascending
+  using Set = std::vector<int>; ///< panels
 
   explicit Sets_to_merge(const Complex_topology& topology) : t(topology), neighbours(t.number_of_panels())
   {
@@ -30,7 +30,8 @@ public:
     for (Set& around : neighbours) around = sorted(std::move(around));
   }
 
-  /// Two panels at a corner, all around a corner or an edge, and what `enclosed()`, `steps()` and `strips()` find.
+  /// Two panels at a corner, all around a corner or an edge, and what `enclosed()`, `steps()` and `strips()` find: each
+  /// set ascending.
   std::set<Set> all() const
   {
     std::set<Set> sets;
@@ -53,7 +54,7 @@ public:
         add(enclosed(p, t.loops[p][l]));
         for (Set& step : steps(p, t.loops[p][l])) add(std::move(step));
       }
-      for (int q = 0; q < p; ++q)
+      for (int q : beyond(p))
         for (Set& strip : strips(p, q)) add(std::move(strip));
     }
     return sets;
@@ -132,6 +133,15 @@ public:
   }
 
 private:
+  /// The neighbours of neighbours of `p`, each once, up to `p`.
+  std::set<int> beyond(int p) const
+  {
+    std::set<int> result;
+    for (int q : neighbours[p])
+      result.insert(neighbours[q].begin(), std::lower_bound(neighbours[q].begin(), neighbours[q].end(), p));
+    return result;
+  }
+
   static constexpr std::size_t most = 12; ///< panels that are enclosed, or along a hole, or in a strip
 
   static Set sorted(Set set)
