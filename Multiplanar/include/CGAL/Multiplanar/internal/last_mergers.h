@@ -40,7 +40,8 @@ public:
   bool run(int panels, Panel_model& m, const Panels_left& asked = {})
   {
     go_on = asked;
-    left = (std::max)(1000, int(most_work / c.number_of_faces()));
+    const double work = double(c.number_of_faces()) * (std::max)(1.0, m.panels() / 400.0); // of an attempt
+    left = (std::max)(1000, int(most_work / work));
     for (double distance : {0.02, 0.05, 0.15, 1.0}) {
       farthest = distance;
       failed.clear();
@@ -186,7 +187,7 @@ private:
   }
 
   static constexpr int most_improved = 400;  ///< panels: all of them at a time take time with their third power
-  static constexpr double most_work = 1.5e8; ///< attempts times faces
+  static constexpr double most_work = 4e8; ///< in faces looked at
 
   const Panel_modeller& modeller;
   const Connectivity& c;
