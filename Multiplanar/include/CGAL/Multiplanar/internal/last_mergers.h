@@ -60,9 +60,9 @@ private:
 
   bool step(Panel_model& m)
   {
-    const std::vector<std::vector<int>> faces = faces_of_panels(m);
+    const std::vector<std::vector<int>> faces = Panel_edits::faces_of_panels(m);
     std::vector<std::pair<double, Set>> order;
-    for (const Set& set : Sets_to_merge(*m.topology).all()) order.emplace_back(thickness(m, faces, set), set);
+    for (const Set& set : Sets_to_merge(*m.topology).all()) order.emplace_back(edits.thickness(m, faces, set), set);
     std::stable_sort(order.begin(), order.end());
     for (const auto& entry : order) {
       if (left <= 0) return false;
@@ -136,30 +136,6 @@ private:
     return std::find(used.begin(), used.end(), 0) == used.end() && accept(m, edit);
   }
 
-  std::vector<std::vector<int>> faces_of_panels(const Panel_model& m) const
-  {
-    std::vector<std::vector<int>> faces(m.panels());
-    for (int f = 0; f < c.number_of_faces(); ++f) faces[m.labels[f]].push_back(f);
-    return faces;
-  }
-
-  /// Half the width of the slab around the common plane that holds all faces of the set.
-  double thickness(const Panel_model& m, const std::vector<std::vector<int>>& faces, const Set& set) const
-  {
-    Moments sum;
-    for (int p : set) sum += m.moments[p];
-    Vec3 normal;
-    double offset, low = 1e300, high = -1e300;
-    fit_plane(sum, normal, offset);
-    for (int p : set)
-      for (int f : faces[p])
-        for (int v : c.triangles[f]) {
-          const double d = normal.dot(modeller.input().points[v]) - offset;
-          low = (std::min)(low, d), high = (std::max)(high, d);
-        }
-    return (high - low) / 2;
-  }
-
   /// The set, whatever the numbers of its panels.
   static Set name(const std::vector<std::vector<int>>& faces, const Set& set)
   {
@@ -186,8 +162,8 @@ private:
     return edit;
   }
 
-  static constexpr int most_improved = 400;  ///< panels: all of them at a time take time with their third power
-  static constexpr double most_work = 4e8; ///< in faces looked at
+  static constexpr int most_improved = 400; ///< panels: all of them at a time take time with their third power
+  static constexpr double most_work = 4e8;  ///< in faces looked at
 
   const Panel_modeller& modeller;
   const Connectivity& c;

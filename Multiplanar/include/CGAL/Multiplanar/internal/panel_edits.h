@@ -167,28 +167,40 @@ public:
     return result;
   }
 
+  static std::vector<std::vector<int>> faces_of_panels(const Panel_model& m)
+  {
+    std::vector<std::vector<int>> faces(m.panels());
+    for (int f = 0; f < int(m.labels.size()); ++f) faces[m.labels[f]].push_back(f);
+    return faces;
+  }
+
+  /// Half the width of the slab around the common plane of `panels` that holds all their faces.
+  /// \param faces see `faces_of_panels()`
+  double thickness(const Panel_model& m, const std::vector<std::vector<int>>& faces,
+                   const std::vector<int>& panels) const
+  {
+    Moments sum;
+    for (int p : panels) sum += m.moments[p];
+    Proxy plane;
+    fit_plane(sum, plane.normal, plane.offset);
+    double low = 1e300, high = -1e300;
+    for (int p : panels)
+      for (int f : faces[p])
+        for (int v : c.triangles[f]) {
+          const double d = plane.normal.dot(in.points[v]) - plane.offset;
+          low = (std::min)(low, d), high = (std::max)(high, d);
+        }
+    return (high - low) / 2;
+  }
+
   /// All pairs of neighbours, cheapest first.
   std::vector<Merge_candidate> merges(const Panel_model& m) const
   {
     std::set<std::pair<int, int>> pairs;
     for (const auto& e : m.topology->edges) pairs.insert(std::minmax({e.panels[0], e.panels[1]}));
-    std::vector<std::vector<int>> faces(m.panels());
-    for (int f = 0; f < c.number_of_faces(); ++f) faces[m.labels[f]].push_back(f);
+    const std::vector<std::vector<int>> faces = faces_of_panels(m);
     std::vector<Merge_candidate> result;
-    for (const auto& pq : pairs) {
-      Moments sum = m.moments[pq.first];
-      sum += m.moments[pq.second];
-      Proxy plane;
-      fit_plane(sum, plane.normal, plane.offset);
-      double low = 1e300, high = -1e300;
-      for (int p : {pq.first, pq.second})
-        for (int f : faces[p])
-          for (int v : c.triangles[f]) {
-            const double d = plane.normal.dot(in.points[v]) - plane.offset;
-            low = (std::min)(low, d), high = (std::max)(high, d);
-          }
-      result.push_back({pq.first, pq.second, (high - low) / 2});
-    }
+    for (const auto& pq : pairs) result.push_back({pq.first, pq.second, thickness(m, faces, {pq.first, pq.second})});
     std::stable_sort(result.begin(), result.end(),
                      [](const Merge_candidate& a, const Merge_candidate& b) { return a.error < b.error; });
     return result;
